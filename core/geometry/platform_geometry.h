@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/geometry/leg_lengths.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace hexapose {
+
+/// One leg: its two joints and its stroke.
+struct Leg {
+    Eigen::Vector3d p_OA_B = Eigen::Vector3d::Zero(); ///< base joint A_i, base frame, m
+    Eigen::Vector3d p_PB_P = Eigen::Vector3d::Zero(); ///< platform joint B_i, platform frame, m
+    double minLength = 0.0;                           ///< stroke, m
+    double maxLength = 0.0;                           ///< stroke, m
+};
+
+/// A 6-UPS platform. Frames: B is the base frame with origin O, P the platform frame with origin P.
+struct PlatformGeometry {
+    std::string name;
+    Eigen::Vector3d p_OP_home_B = Eigen::Vector3d::Zero(); ///< platform origin at pose zero, base frame, m
+    std::array<Leg, kLegCount> legs;
+
+    /// Leg lengths at pose zero, m.
+    LegLengths homeLengths() const;
+    /// The machine's own size, m: the mean leg length at home. Tolerances scale with it.
+    double size() const;
+    /// Lever arm of the rotation, m: root mean square of |p_PB_P|; makes Jacobian columns comparable.
+    double jointRadius() const;
+    /// FNV-1a over home position and joints, as 16 hex digits: what a regression model depends on. Strokes and name
+    /// are left out, because the kinematics do not depend on them.
+    std::string fingerprint() const;
+};
+
+/// Everything wrong with a geometry, one sentence each with leg, value and bound, in mm ("leg 3: min_mm 350 is not
+/// below max_mm 250"). Empty when the geometry can be used. Checks: numbers finite, 0 < min < max, home inside the
+/// strokes, no two base joints and no two platform joints of one pair of legs coinciding in both, joint positions
+/// not all coincident, home lengths positive.
+std::vector<std::string> validate(const PlatformGeometry& geometry);
+
+} // namespace hexapose

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/geometry/leg_lengths.h"
+#include "core/geometry/platform_geometry.h"
+#include "core/geometry/pose.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <string>
+
+namespace hexapose {
+
+/// What a model is trained on: poses uniform in a box about home.
+struct TrainingSpec {
+    int degree = 3;               ///< 1 to 4
+    double offsetRange = 0.0;     ///< +-, m, each axis
+    double angleRange = 0.0;      ///< +-, rad, each axis
+    std::int64_t samples = 100000;
+    std::uint64_t seed = 1;
+};
+
+/// A regression of the pose on the distinct monomials up to `degree` of the centred and scaled lengths (Eq. 16).
+/// u_i = (l_i - lengthCentre_i) / lengthScale_i; pose = coefficients * monomials(u). Monomial order: as in
+/// polynomial_basis.h.
+struct PolynomialModel {
+    TrainingSpec spec;
+    std::string platformFingerprint;
+    LegLengths lengthCentre = LegLengths::Zero(); ///< m
+    LegLengths lengthScale = LegLengths::Ones();  ///< m
+    LegLengths minLength = LegLengths::Zero();    ///< smallest and largest length met in training, m
+    LegLengths maxLength = LegLengths::Zero();
+    double maxResidual = 0.0; ///< largest leg residual of the regression over the training poses, m
+    Eigen::Matrix<double, 6, Eigen::Dynamic> coefficients; ///< rows x y z (m) alpha beta gamma (rad)
+
+    /// The regression's pose. Allocates nothing.
+    PoseVector evaluate(const LegLengths& lengths) const noexcept;
+    /// Identity of the model for logs: FNV-1a over spec, platform and coefficients, 16 hex digits.
+    std::string fingerprint() const;
+};
+
+/// The range a model is trained on when nobody says otherwise: +-40 mm and +-40 deg for the laboratory platform,
+/// the displacement in proportion to the machine's size, and both halved until no sampled pose is singular or past a
+/// singularity. Throws InputError for a geometry that is singular at home.
+TrainingSpec defaultTrainingSpec(const PlatformGeometry& geometry, int degree);
+
+} // namespace hexapose

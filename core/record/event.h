@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace hexapose {
+
+/// What the event list and the log's event column report. Words are stable; the screen translates them.
+enum class EventCode {
+    Connected,       ///< detail: controller name
+    ListenOnly,      ///< an unprotected sender of lengths
+    LinkLost,        ///< detail: the system's reason
+    DataStale,       ///< no valid measurement for value milliseconds
+    DataFresh,       ///< measurements are back
+    Referencing,     ///< reference asked for
+    Referenced,
+    Enabled,
+    Disabled,
+    MoveStarted,     ///< value: planned duration, s
+    MoveRefused,     ///< detail: the verdict's word form, e.g. "leg 3 above max_mm"
+    Settled,         ///< value: s since the move started
+    NotSettled,      ///< value: s waited
+    StopRequested,
+    StoppedByController, ///< detail: controller state letter
+    StoppedOnStaleData,
+    StoppedOnSolver, ///< detail: solver status word
+    StoppedOnRefusal, ///< detail: what the controller refused
+    Cleared,
+    ControllerRefused, ///< detail
+    ControllerFault, ///< detail: code and text
+    NoAnswer,        ///< detail: the request that got no answer
+    ClockWentBack,
+    CommandRefused,  ///< detail: command and state, e.g. "run in stopped"
+    ReportSample,    ///< value: sample number
+    LogFailed,       ///< detail: the system's reason
+};
+
+struct Event {
+    EventCode code;
+    double value = 0.0;
+    std::string detail;
+};
+
+/// "move-started", ...: stable identifier of an event.
+std::string_view toWord(EventCode code);
+/// One field of the log: "word", "word value", "word value detail".
+std::string formatEvent(const Event& event);
+
+} // namespace hexapose
