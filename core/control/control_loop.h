@@ -19,11 +19,12 @@ namespace hexapose {
 
 struct ControlOptions {
     double legSpeed = 0.0;       ///< m/s; 0: a stroke in 2.5 s, at most 80 mm/s
-    double settleWindow = 0.0;   ///< m, largest leg error that counts as there; 0: 0.15 mm, less for tiny strokes
+    double settleWindow = 0.0;   ///< m, largest leg error that counts as there; 0: 0.2 mm, less for tiny strokes
     std::chrono::milliseconds settleTime{300};    ///< inside the window for so long
     std::chrono::milliseconds settleTimeout{10000};
     std::chrono::milliseconds staleAfter{200};    ///< at least; three feedback periods when those are longer
-    std::chrono::milliseconds answerTimeout{10000}; ///< for reference and enable before a move
+    std::chrono::milliseconds enableTimeout{5000};      ///< for the enabling before a move
+    std::chrono::milliseconds referenceTimeout{120000}; ///< for the referencing before a move
 };
 
 /// The control loop of joint mode: one cycle is exchange -> forward solution -> commands -> set-points -> Snapshot.

@@ -35,6 +35,8 @@ enum class EventCode {
     CommandRefused,  ///< detail: command and state, e.g. "run in stopped"
     ReportSample,    ///< value: sample number
     LogFailed,       ///< detail: the system's reason
+    LoopFailed,      ///< detail: the error that ended the control loop
+    PreparationFailed, ///< a reference or enable before a move did not come about; detail: which
 };
 
 struct Event {
