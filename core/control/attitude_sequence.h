@@ -11,8 +11,8 @@
 
 namespace hexapose {
 
-/// Visits a list of attitudes: the next Run is due when the one before has settled and stood for `dwell`. Fed with
-/// snapshots; pure, so the console and the command line share it.
+/// Visits a list of attitudes: the next Run is due when the one before has settled and stood for `dwell`. Fed
+/// with snapshots; pure, so the console and the command line share it.
 class AttitudeSequence {
 public:
     enum class Phase { Waiting, Moving, Dwelling, Done, Failed };

@@ -18,31 +18,34 @@
 namespace hexapose {
 
 struct ControlOptions {
-    double legSpeed = 0.0;       ///< m/s; 0: a stroke in 2.5 s, at most 80 mm/s
-    double settleWindow = 0.0;   ///< m, largest leg error that counts as there; 0: 0.2 mm, less for tiny strokes
-    std::chrono::milliseconds settleTime{300};    ///< inside the window for so long
+    double legSpeed = 0.0; ///< m/s; 0: a stroke in 2.5 s, at most 80 mm/s
+    double settleWindow =
+        0.0; ///< m, largest leg error that counts as there; 0: 0.2 mm, less for tiny strokes
+    std::chrono::milliseconds settleTime{300}; ///< inside the window for so long
     std::chrono::milliseconds settleTimeout{10000};
-    std::chrono::milliseconds staleAfter{200};    ///< at least; three feedback periods when those are longer
-    std::chrono::milliseconds enableTimeout{5000};      ///< for the enabling before a move
+    std::chrono::milliseconds staleAfter{200};     ///< at least; three feedback periods when those are longer
+    std::chrono::milliseconds enableTimeout{5000}; ///< for the enabling before a move
     std::chrono::milliseconds referenceTimeout{120000}; ///< for the referencing before a move
 };
 
-/// The control loop of joint mode: one cycle is exchange -> forward solution -> commands -> set-points -> Snapshot.
-/// One thread owns it and calls cycle(); post() may be called from any thread.
+/// The control loop of joint mode: one cycle is exchange -> forward solution -> commands -> set-points ->
+/// Snapshot. One thread owns it and calls cycle(); post() may be called from any thread.
 class ControlLoop {
 public:
     using Clock = std::chrono::steady_clock;
     using Sink = std::function<void(const Snapshot&)>;
 
-    /// device and solver must outlive the loop. sink is called at the end of every cycle, on the owning thread.
+    /// device and solver must outlive the loop. sink is called at the end of every cycle, on the owning
+    /// thread.
     ControlLoop(PlatformDevice& device, const PlatformGeometry& geometry, const ForwardSolver& solver,
-                const ControlOptions& options, Sink sink, std::function<Clock::time_point()> now = Clock::now);
+                const ControlOptions& options, Sink sink,
+                std::function<Clock::time_point()> now = Clock::now);
     ~ControlLoop();
 
     void post(const OperatorCommand& command);
     void cycle();
-    /// Stops motion and disables before the port is closed: sends Stop, then Disable, and returns. Never starts
-    /// anything.
+    /// Stops motion and disables before the port is closed: sends Stop, then Disable, and returns. Never
+    /// starts anything.
     void shutDown();
 
 private:

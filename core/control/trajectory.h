@@ -8,8 +8,8 @@
 
 namespace hexapose {
 
-/// Straight in leg lengths, all legs together, minimum-jerk in time (quintic: speed and acceleration zero at both
-/// ends), as fast as the leg speed allows.
+/// Straight in leg lengths, all legs together, minimum-jerk in time (quintic: speed and acceleration zero at
+/// both ends), as fast as the leg speed allows.
 class LegTrajectory {
 public:
     /// lengths in m, legSpeed in m/s (the largest speed any leg reaches).

@@ -42,7 +42,7 @@ enum class EventCode {
 struct Event {
     EventCode code;
     double value = 0.0;
-    std::string detail;
+    std::string detail = {};
 };
 
 /// "move-started", ...: stable identifier of an event.

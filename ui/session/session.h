@@ -37,8 +37,8 @@ struct SessionSetup {
     ControlOptions control;
 };
 
-/// Owns the loop's thread and the session log. The screen polls takeSnapshots() on its display tick and never waits
-/// for the loop. All members are called on the screen's thread.
+/// Owns the loop's thread and the session log. The screen polls takeSnapshots() on its display tick and never
+/// waits for the loop. All members are called on the screen's thread.
 class Session final : public QObject {
     Q_OBJECT
 public:
@@ -49,8 +49,8 @@ public:
     ~Session() override; ///< as close()
 
     const SessionSetup& setup() const;
-    /// Starts the loop's thread and a new log. A port that cannot be opened is told by an event, and tried again.
-    /// Throws InputError when the log cannot be created.
+    /// Starts the loop's thread and a new log. A port that cannot be opened is told by an event, and tried
+    /// again. Throws InputError when the log cannot be created.
     void open(const ConnectionChoice& choice);
     /// Stops motion, disables, closes the port, ends the log.
     void close();

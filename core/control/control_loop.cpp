@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: MIT
+
+#include "core/control/control_loop.h"
+
+#include "core/control/control_loop_impl.h"
+
+#include <algorithm>
+
+namespace hexapose {
+
+namespace {
+
+constexpr double kStrokeSeconds = 2.5;   ///< default leg speed: mean stroke in so long
+constexpr double kFastestLeg = 0.08;     ///< m/s, below what the drives can do
+constexpr double kSettleWindow = 2e-4;   ///< m
+constexpr double kSettleOfStroke = 2e-3; ///< for machines with tiny strokes
+constexpr int kShutDownExchanges = 20;
+
+ControlOptions completed(ControlOptions options, const PlatformGeometry& geometry) {
+    double stroke = 0.0;
+    for (const Leg& leg : geometry.legs)
+        stroke += (leg.maxLength - leg.minLength) / kLegCount;
+    if (options.legSpeed <= 0.0)
+        options.legSpeed = std::min(stroke / kStrokeSeconds, kFastestLeg);
+    if (options.settleWindow <= 0.0)
+        options.settleWindow = std::min(kSettleWindow, kSettleOfStroke * stroke);
+    return options;
+}
+
+RunState fromController(ControllerState state) {
+    switch (state) {
+    case ControllerState::Unknown:
+        return RunState::Disconnected;
+    case ControllerState::Unreferenced:
+        return RunState::Unreferenced;
+    case ControllerState::Disabled:
+        return RunState::Disabled;
+    case ControllerState::Enabled:
+        return RunState::Enabled;
+    case ControllerState::Stopped:
+        return RunState::Stopped;
+    case ControllerState::Fault:
+        return RunState::Fault;
+    }
+    return RunState::Disconnected;
+}
+
+} // namespace
+
+ControlLoop::Impl::Impl(PlatformDevice& theDevice, const PlatformGeometry& theGeometry,
+                        const ForwardSolver& theSolver, const ControlOptions& theOptions, Sink theSink,
+                        Now theNow)
+    : device(theDevice), geometry(theGeometry), solver(theSolver),
+      options(completed(theOptions, theGeometry)), sink(std::move(theSink)), now(std::move(theNow)),
+      sessionStart(now()), monitor(options.staleAfter) {}
+
+RunState ControlLoop::Impl::state() const {
+    if (feedback.link == LinkState::ListenOnly)
+        return RunState::Disabled; // an unprotected sender takes no commands
+    if (feedback.link != LinkState::Connected)
+        return RunState::Disconnected;
+    if (feedback.state == ControllerState::Fault)
+        return RunState::Fault;
+    if (stopLatched)
+        return RunState::Stopped;
+    if (feedback.state == ControllerState::Enabled && move) {
+        if (move->phase() == JointMove::Phase::Moving)
+            return RunState::Moving;
+        if (move->phase() == JointMove::Phase::Settling)
+            return RunState::Settling;
+    }
+    return fromController(feedback.state);
+}
+
+void ControlLoop::Impl::dropMotion() {
+    move.reset();
+    commanded.reset();
+    commandedPose.reset();
+    goal.reset(); // after a stop the target is where the platform is
+}
+
+void ControlLoop::Impl::stop(Event cause) {
+    raise(std::move(cause));
+    dropMotion();
+    stopLatched = takesCommands();
+    pendingRequest = DeviceRequest::Stop;
+}
+
+SetPoints ControlLoop::Impl::nextSetPoints(Clock::time_point time) {
+    SetPoints out;
+    if (pendingRequest == DeviceRequest::None && move)
+        request(move->takeRequest());
+    out.request = std::exchange(pendingRequest, DeviceRequest::None);
+    if (out.request == DeviceRequest::Stop || stopLatched || !takesCommands() ||
+        feedback.state != ControllerState::Enabled)
+        return out;
+    if (moving())
+        commanded = move->setPoint(time);
+    else if (!commanded && !monitor.stale())
+        commanded = measured; // hold where it is: the controller's watchdog wants to hear us
+    out.lengths = commanded;
+    return out;
+}
+
+void ControlLoop::Impl::advanceMove(Clock::time_point time) {
+    if (!move)
+        return;
+    if (std::optional<Event> event =
+            move->update(feedback.state, feedback.lengths, options.settleWindow, time))
+        raise(std::move(*event));
+    if (move->phase() == JointMove::Phase::Failed)
+        return dropMotion();
+    if (move->phase() != JointMove::Phase::Ready || feedback.state != ControllerState::Enabled || !measuredPose)
+        return;
+    // Referencing may have moved the legs: judge the path again from where the platform is now.
+    const Verdict verdict = checkLegPath(geometry, limits(), *measuredPose, move->target());
+    if (!verdict.ok()) {
+        raise({EventCode::MoveRefused, 0.0, toWords(verdict)});
+        return dropMotion();
+    }
+    move->start(commanded.value_or(*measured), options.legSpeed, time);
+    raise({EventCode::MoveStarted, std::chrono::duration<double>(move->duration()).count(), {}});
+}
+
+void ControlLoop::Impl::publish(Clock::time_point time) {
+    if (commanded) {
+        const ForwardResult path = solver.solve(*commanded, commandedPose.value_or(lastPose));
+        commandedPose = path.isUsable() ? std::optional(path.pose) : std::nullopt;
+    }
+    Snapshot s;
+    s.time = time - sessionStart;
+    s.wallTime = std::chrono::system_clock::now();
+    s.cycle = cycleCount++;
+    s.state = state();
+    s.link = feedback.link;
+    s.controllerState = feedback.state;
+    s.protectedLink = feedback.protectedLink;
+    s.fresh = feedback.lengths.has_value();
+    s.stale = monitor.stale();
+    s.age = monitor.age();
+    s.measuredLengths = measured;
+    s.commandedLengths = commanded;
+    s.targetPose = commandedPose;
+    s.goalPose = goal;
+    s.measuredPose = measuredPose;
+    s.status = solution.status;
+    s.iterations = solution.iterations;
+    s.residual = solution.residual;
+    s.solveTime = solveTime;
+    s.feedbackRate = monitor.rateHz();
+    s.period = feedback.period;
+    s.minLength = feedback.minLength;
+    s.maxLength = feedback.maxLength;
+    s.counters = feedback.counters;
+    s.events = std::exchange(events, {});
+    sink(s);
+}
+
+ControlLoop::ControlLoop(PlatformDevice& device, const PlatformGeometry& geometry,
+                         const ForwardSolver& solver, const ControlOptions& options, Sink sink,
+                         std::function<Clock::time_point()> now)
+    : m_impl(std::make_unique<Impl>(device, geometry, solver, options, std::move(sink), std::move(now))) {}
+
+ControlLoop::~ControlLoop() = default;
+
+void ControlLoop::post(const OperatorCommand& command) {
+    const std::lock_guard lock(m_impl->commandMutex);
+    m_impl->commands.push_back(command);
+}
+
+void ControlLoop::cycle() {
+    Impl& loop = *m_impl;
+    const Clock::time_point begin = loop.now();
+    loop.takeCommands(begin);
+    const ControllerState before = loop.feedback.state;
+    loop.feedback = loop.device.exchange(loop.nextSetPoints(begin));
+    const Clock::time_point time = loop.now();
+    loop.takeFeedback(time);
+    loop.noteStateChange(before);
+    loop.watch(time);
+    loop.advanceMove(time);
+    loop.publish(time);
+}
+
+void ControlLoop::shutDown() {
+    Impl& loop = *m_impl;
+    if (!loop.takesCommands())
+        return;
+    const bool stopFirst = loop.move.has_value();
+    loop.dropMotion();
+    if (stopFirst)
+        loop.feedback = loop.device.exchange({std::nullopt, DeviceRequest::Stop});
+    if (loop.feedback.state == ControllerState::Enabled)
+        loop.feedback = loop.device.exchange({std::nullopt, DeviceRequest::Disable});
+    for (int i = 0; i < kShutDownExchanges && loop.feedback.state == ControllerState::Enabled; ++i)
+        loop.feedback = loop.device.exchange({});
+}
+
+} // namespace hexapose

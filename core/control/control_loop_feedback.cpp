@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: MIT
+
+#include "core/control/control_loop_impl.h"
+
+namespace hexapose {
+
+namespace {
+
+constexpr std::chrono::seconds kSameRefusalEvery{1};
+
+} // namespace
+
+void ControlLoop::Impl::takeFeedback(Clock::time_point time) {
+    for (const DeviceNotice& notice : feedback.notices)
+        takeNotice(notice, time);
+    monitor.update(feedback, time);
+    if (feedback.lengths) {
+        measured = feedback.lengths;
+        solve();
+    }
+    if (feedback.link == LinkState::Lost || feedback.link == LinkState::Connecting) {
+        dropMotion();
+        stopLatched = false; // the controller says its state again when it is back
+        if (feedback.link == LinkState::Lost)
+            monitor.forget();
+    }
+}
+
+void ControlLoop::Impl::noteStateChange(ControllerState before) {
+    const ControllerState after = feedback.state;
+    if (before == after)
+        return;
+    const bool wentDown = after == ControllerState::Stopped || after == ControllerState::Fault ||
+                          (before == ControllerState::Enabled && after != ControllerState::Enabled);
+    if (wentDown) {
+        if (!stopLatched && (move || before == ControllerState::Enabled))
+            raise({EventCode::StoppedByController, 0.0, std::string(1, static_cast<char>(after))});
+        dropMotion();
+    }
+    const bool down = after == ControllerState::Disabled || after == ControllerState::Unreferenced;
+    if (down && (before == ControllerState::Stopped || before == ControllerState::Fault)) {
+        stopLatched = false;
+        raise({EventCode::Cleared, 0.0, {}});
+    } else if (!move && after == ControllerState::Enabled) {
+        raise({EventCode::Enabled, 0.0, {}});
+    } else if (!move && after == ControllerState::Disabled) {
+        raise(
+            {before == ControllerState::Unreferenced ? EventCode::Referenced : EventCode::Disabled, 0.0, {}});
+    }
+}
+
+void ControlLoop::Impl::takeNotice(const DeviceNotice& notice, Clock::time_point time) {
+    switch (notice.kind) {
+    case DeviceNotice::Kind::Identified:
+        return raise({EventCode::Connected, 0.0, notice.text});
+    case DeviceNotice::Kind::Refused:
+        return takeRefusal(notice, time);
+    case DeviceNotice::Kind::Fault:
+        return raise({EventCode::ControllerFault, 0.0, notice.request + " " + notice.text});
+    case DeviceNotice::Kind::NoAnswer:
+        return raise({EventCode::NoAnswer, 0.0, notice.request});
+    case DeviceNotice::Kind::ClockWentBack:
+        if (move)
+            stop({EventCode::ClockWentBack, 0.0, {}});
+        else
+            raise({EventCode::ClockWentBack, 0.0, {}});
+        return;
+    case DeviceNotice::Kind::ListenOnly:
+        return raise({EventCode::ListenOnly, 0.0, {}});
+    case DeviceNotice::Kind::LinkLost:
+        return raise({EventCode::LinkLost, 0.0, notice.text});
+    }
+}
+
+void ControlLoop::Impl::takeRefusal(const DeviceNotice& notice, Clock::time_point time) {
+    const std::string what = notice.request + " " + notice.text;
+    if (notice.request == "SET") {
+        if (moving())
+            return stop({EventCode::StoppedOnRefusal, 0.0, what});
+        // A held set-point is refused in every cycle: say it once a second.
+        if (what == lastSetRefusalText && time - lastSetRefusal < kSameRefusalEvery)
+            return;
+        lastSetRefusal = time;
+        lastSetRefusalText = what;
+    } else if (move && (notice.request == "HOME" || notice.request == "ENABLE")) {
+        dropMotion();
+    }
+    raise({EventCode::ControllerRefused, 0.0, what});
+}
+
+void ControlLoop::Impl::solve() {
+    const Clock::time_point begin = Clock::now();
+    solution = solver.solve(*measured, lastPose);
+    solveTime = Clock::now() - begin;
+    measuredPose.reset();
+    if (solution.isUsable()) {
+        measuredPose = solution.pose;
+        lastPose = solution.pose;
+    }
+}
+
+void ControlLoop::Impl::watch(Clock::time_point) {
+    const bool stale = monitor.stale();
+    if (stale != wasStale) {
+        if (stale)
+            raise(
+                {EventCode::DataStale, std::chrono::duration<double, std::milli>(monitor.age()).count(), {}});
+        else
+            raise({EventCode::DataFresh, 0.0, {}});
+        wasStale = stale;
+    }
+    if (!move)
+        return;
+    if (stale)
+        stop({EventCode::StoppedOnStaleData, 0.0, {}});
+    else if (feedback.lengths && !measuredPose)
+        stop({EventCode::StoppedOnSolver, 0.0, std::string(toWord(solution.status))});
+}
+
+} // namespace hexapose

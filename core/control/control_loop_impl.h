@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/control/control_loop.h"
+#include "core/control/feedback_monitor.h"
+#include "core/control/joint_move.h"
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace hexapose {
+
+/// What the loop's thread owns. Split over control_loop.cpp (the cycle), control_loop_commands.cpp (the
+/// operator's side) and control_loop_feedback.cpp (the controller's side).
+struct ControlLoop::Impl {
+    using Now = std::function<Clock::time_point()>;
+
+    Impl(PlatformDevice& theDevice, const PlatformGeometry& theGeometry, const ForwardSolver& theSolver,
+         const ControlOptions& theOptions, Sink theSink, Now theNow);
+
+    // What a cycle is made of, in order.
+    void takeCommands(Clock::time_point time);
+    SetPoints nextSetPoints(Clock::time_point time);
+    void takeFeedback(Clock::time_point time);
+    void watch(Clock::time_point time);
+    void advanceMove(Clock::time_point time);
+    void publish(Clock::time_point time);
+
+    void on(const RunCommand& command, Clock::time_point time);
+    void on(const StopCommand& command, Clock::time_point time);
+    void on(const ReferenceCommand& command, Clock::time_point time);
+    void on(const EnableCommand& command, Clock::time_point time);
+    void on(const DisableCommand& command, Clock::time_point time);
+    void on(const ClearCommand& command, Clock::time_point time);
+    void takeNotice(const DeviceNotice& notice, Clock::time_point time);
+    void takeRefusal(const DeviceNotice& notice, Clock::time_point time);
+    void noteStateChange(ControllerState before);
+    void solve();
+
+    /// Ends whatever moves and sends Stop; it stays stopped until Clear.
+    void stop(Event cause);
+    void dropMotion();
+    RunState state() const;
+    bool moving() const {
+        return move &&
+               (move->phase() == JointMove::Phase::Moving || move->phase() == JointMove::Phase::Settling);
+    }
+    bool takesCommands() const { return feedback.link == LinkState::Connected; }
+    void refuse(const char* what) {
+        raise({EventCode::CommandRefused, 0.0, std::string(what) + " in " + std::string(toWord(state()))});
+    }
+    void raise(Event event) { events.push_back(std::move(event)); }
+    MotionLimits limits() const { return motionLimits(geometry, feedback.minLength, feedback.maxLength); }
+    void request(DeviceRequest what) {
+        if (pendingRequest != DeviceRequest::Stop)
+            pendingRequest = what;
+    }
+
+    PlatformDevice& device;
+    const PlatformGeometry geometry;
+    const ForwardSolver& solver;
+    const ControlOptions options;
+    Sink sink;
+    Now now;
+    const Clock::time_point sessionStart;
+
+    std::mutex commandMutex;
+    std::vector<OperatorCommand> commands;
+
+    FeedbackMonitor monitor;
+    DeviceFeedback feedback;
+    std::optional<LegLengths> measured;
+    ForwardResult solution;
+    std::chrono::nanoseconds solveTime{0};
+    std::optional<Pose> measuredPose;
+    Pose lastPose; ///< start of the next solution: the last usable one, home before the first
+
+    std::optional<JointMove> move;
+    std::optional<LegLengths> commanded;
+    std::optional<Pose> commandedPose;
+    std::optional<Pose> goal;
+    bool stopLatched = false; ///< Stop was asked for, by the operator or by us, and not yet cleared
+    DeviceRequest pendingRequest = DeviceRequest::None;
+    bool wasStale = true;
+    Clock::time_point lastSetRefusal{};
+    std::string lastSetRefusalText;
+    std::uint64_t cycleCount = 0;
+    std::vector<Event> events;
+};
+
+} // namespace hexapose
