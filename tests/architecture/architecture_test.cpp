@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: MIT
+#include "tests/architecture/source_rules.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <sstream>
+
+namespace hexapose::architecture {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+std::string readText(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    return text.str();
+}
+
+using Rule = std::function<std::vector<std::string>(std::string_view, std::string_view)>;
+
+/// Every violation in the files below the folders; each folder must hold some, lest the test looks at
+/// nothing.
+std::vector<std::string> checkTree(const std::vector<std::string>& folders, const Rule& rule,
+                                   const std::function<bool(const fs::path&)>& wanted) {
+    const fs::path top = HEXAPOSE_SOURCE_DIR;
+    std::vector<std::string> found;
+    for (const std::string& folder : folders) {
+        int count = 0;
+        for (const auto& entry : fs::recursive_directory_iterator(top / folder)) {
+            if (entry.is_regular_file() && wanted(entry.path())) {
+                ++count;
+                const auto bad =
+                    rule(entry.path().lexically_relative(top).generic_string(), readText(entry.path()));
+                found.insert(found.end(), bad.begin(), bad.end());
+            }
+        }
+        EXPECT_GT(count, 0) << folder;
+    }
+    return found;
+}
+
+bool isSource(const fs::path& file) {
+    return file.extension() == ".cpp" || file.extension() == ".h";
+}
+
+std::vector<std::string> including(std::string_view path, const std::string& header) {
+    return includeViolations(path, "#pragma once\n#include " + header + "\n");
+}
+
+TEST(Architecture, EveryArrowPointsTheAllowedWay) {
+    EXPECT_THAT(checkTree({"core", "ui", "app"}, includeViolations, isSource), IsEmpty());
+}
+
+TEST(Architecture, CoreLinksQtOnlyInTheSerialFolder) {
+    const auto isList = [](const fs::path& file) { return file.filename() == "CMakeLists.txt"; };
+    EXPECT_THAT(checkTree({"core"}, linkViolations, isList), IsEmpty());
+}
+
+TEST(Architecture, EverySourceNamesItsLicence) {
+    EXPECT_THAT(checkTree({"core", "ui", "app", "tests"}, headerViolations, isSource), IsEmpty());
+}
+
+TEST(Architecture, NoSourceGrowsOutOfHand) {
+    EXPECT_THAT(checkTree({"core", "ui", "app", "tests"}, sizeViolations, isSource), IsEmpty());
+}
+
+TEST(SourceRules, ReversedArrowIsToldWithItsLine) {
+    EXPECT_THAT(
+        including("core/geometry/pose.h", "\"core/kinematics/jacobian.h\""),
+        ElementsAre("core/geometry/pose.h:2: core/geometry must not include core/kinematics/jacobian.h"));
+    // Written otherwise it is the same arrow.
+    EXPECT_THAT(includeViolations("core/record/a.cpp", "  #  include <core/control/limits.h> // why\n"),
+                ElementsAre(HasSubstr("core/record must not include")));
+}
+
+struct Arrow {
+    const char* path;
+    const char* header;
+    bool allowed;
+};
+
+class Arrows : public testing::TestWithParam<Arrow> {};
+
+TEST_P(Arrows, AreJudged) {
+    const auto found = including(GetParam().path, GetParam().header);
+    EXPECT_EQ(found.empty(), GetParam().allowed) << GetParam().path << " " << GetParam().header;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Table, Arrows,
+    testing::Values(
+        Arrow{"core/geometry/a.cpp", "\"core/geometry/a.h\"", true},
+        Arrow{"core/kinematics/a.cpp", "\"core/geometry/pose.h\"", true},
+        Arrow{"core/kinematics/a.cpp", "\"core/device/byte_channel.h\"", false},
+        Arrow{"core/device/a.cpp", "\"core/record/snapshot.h\"", false},
+        // A folder's row does not open the room inside it.
+        Arrow{"core/device/a.cpp", "\"core/device/serial/serial_channel.h\"", false},
+        Arrow{"core/device/serial/a.cpp", "\"core/device/byte_channel.h\"", true},
+        Arrow{"core/record/a.h", "\"core/report/error_report.h\"", false},
+        Arrow{"core/control/a.h", "\"core/record/snapshot.h\"", true},
+        Arrow{"core/control/a.h", "\"core/report/error_report.h\"", false},
+        Arrow{"core/report/a.h", "\"ui/report/report_export.h\"", false},
+        Arrow{"core/geometry/a.cpp", "<QString>", false}, Arrow{"core/geometry/a.cpp", "<qglobal.h>", false},
+        Arrow{"core/geometry/a.cpp", "<QtCore/QObject>", false},
+        Arrow{"core/geometry/a.cpp", "<queue>", true},
+        Arrow{"core/device/serial/a.cpp", "<QSerialPort>", true}, Arrow{"ui/charts/a.cpp", "<QChart>", true},
+        Arrow{"core/geometry/geometry_file.cpp", "<toml++/toml.h>", true},
+        Arrow{"core/record/log_writer.cpp", "<toml++/toml.h>", true},
+        Arrow{"core/geometry/geometry_file.h", "<toml++/toml.h>", false},
+        Arrow{"core/geometry/pose.cpp", "<toml++/toml.h>", false},
+        Arrow{"ui/panels/a.cpp", "<toml++/toml.h>", false},
+        Arrow{"ui/charts/a.h", "\"core/record/snapshot.h\"", true},
+        Arrow{"ui/charts/a.h", "\"core/control/control_loop.h\"", false},
+        Arrow{"ui/charts/a.h", "\"core/device/platform_device.h\"", false},
+        Arrow{"ui/session/a.h", "\"core/device/platform_device.h\"", true},
+        Arrow{"ui/session/a.h", "\"core/device/line_device.h\"", false},
+        Arrow{"ui/session/a.h", "\"ui/panels/target_panel.h\"", false},
+        Arrow{"ui/panels/a.h", "\"core/device/serial/serial_ports.h\"", true},
+        Arrow{"ui/panels/a.h", "\"core/device/serial/serial_channel.h\"", false},
+        Arrow{"ui/panels/a.h", "\"app/common/directories.h\"", false},
+        Arrow{"app/cli/a.cpp", "\"ui/report/report_export.h\"", true},
+        Arrow{"app/cli/a.cpp", "\"ui/session/session.h\"", false},
+        Arrow{"app/common/a.cpp", "\"ui/session/session.h\"", false},
+        Arrow{"app/operator/main.cpp", "\"ui/panels/a.h\"", true},
+        Arrow{"ui/panels/a.cpp", "\"tests/support/a.h\"", false},
+        // A short name would get round the table; moc's output has no other.
+        Arrow{"core/geometry/a.cpp", "\"../kinematics/jacobian.h\"", false},
+        Arrow{"core/geometry/a.cpp", "\"pose.h\"", false}, Arrow{"ui/charts/a.cpp", "\"a.moc\"", true},
+        Arrow{"core/novelty/a.cpp", "<vector>", false}, Arrow{"core/a.cpp", "<vector>", false}));
+
+TEST(SourceRules, EveryAllowedFolderHasARowItself) {
+    for (const Room& room : rooms()) {
+        for (const std::string_view allowed : room.mayInclude) {
+            const bool known =
+                allowed.ends_with(".h") || std::any_of(rooms().begin(), rooms().end(),
+                                                       [&](const Room& r) { return r.folder == allowed; });
+            EXPECT_TRUE(known) << room.folder << " -> " << allowed;
+        }
+    }
+}
+
+TEST(SourceRules, LicenceFollowsTheFolder) {
+    const std::string mit =
+        "// SPDX-FileCopyrightText: 2026 The Hexapose authors\n// SPDX-License-Identifier: MIT\n";
+    const std::string gpl = "// SPDX-FileCopyrightText: 2026 The Hexapose authors\n// "
+                            "SPDX-License-Identifier: GPL-3.0-or-later\n";
+    EXPECT_THAT(headerViolations("core/geometry/pose.h", mit), IsEmpty());
+    EXPECT_THAT(headerViolations("ui/charts/a.h", gpl), IsEmpty());
+    EXPECT_THAT(headerViolations("tests/ui/a.cpp", gpl), IsEmpty());
+    EXPECT_THAT(headerViolations("core/geometry/pose.h", gpl), ElementsAre(HasSubstr("licence MIT")));
+    EXPECT_THAT(headerViolations("app/cli/main.cpp", mit),
+                ElementsAre(HasSubstr("licence GPL-3.0-or-later")));
+    EXPECT_THAT(headerViolations("core/geometry/pose.h", "#pragma once\n" + mit), testing::SizeIs(1));
+}
+
+TEST(SourceRules, LongSourcesAndQtInCoreListsAreTold) {
+    EXPECT_THAT(sizeViolations("core/a.cpp", std::string(400, '\n')), IsEmpty());
+    EXPECT_THAT(sizeViolations("core/a.cpp", std::string(401, '\n')), ElementsAre(HasSubstr("401 lines")));
+    EXPECT_THAT(linkViolations("core/record/CMakeLists.txt", "LINKS Qt6::Core"), testing::SizeIs(1));
+    EXPECT_THAT(linkViolations("core/device/serial/CMakeLists.txt", "LINKS Qt6::SerialPort"), IsEmpty());
+}
+
+} // namespace
+} // namespace hexapose::architecture

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: MIT
+#include "tests/architecture/source_rules.h"
+
+#include <algorithm>
+#include <optional>
+#include <regex>
+#include <sstream>
+
+namespace hexapose::architecture {
+namespace {
+
+constexpr long longestSource = 400; // lines
+
+const Room* roomOf(std::string_view path) {
+    const Room* best = nullptr;
+    for (const Room& room : rooms()) {
+        const bool inside = path.starts_with(room.folder) && path.substr(room.folder.size()).starts_with('/');
+        if (inside && (best == nullptr || room.folder.size() > best->folder.size())) {
+            best = &room;
+        }
+    }
+    return best;
+}
+
+bool inTopFolder(std::string_view path, std::string_view folder) {
+    return path.starts_with(folder) && path.substr(folder.size()).starts_with('/');
+}
+
+bool mayInclude(const Room& room, std::string_view included) {
+    const Room* target = roomOf(included);
+    if (target == &room) {
+        return true;
+    }
+    return std::any_of(room.mayInclude.begin(), room.mayInclude.end(), [&](std::string_view allowed) {
+        return included == allowed || (target != nullptr && target->folder == allowed);
+    });
+}
+
+bool isQtHeader(std::string_view header) {
+    static const std::regex pattern("Q[A-Za-z0-9]+(/.*)?|q[a-z0-9_]+\\.h");
+    return std::regex_match(header.begin(), header.end(), pattern);
+}
+
+/// TOML is for the sources that read and write files; their headers show our own types.
+bool mayUseToml(std::string_view path) {
+    static const std::regex pattern("core/.*/([a-z0-9_]+_file|log_[a-z0-9_]+)\\.cpp");
+    return std::regex_match(path.begin(), path.end(), pattern);
+}
+
+std::optional<std::string> judge(const Room& room, std::string_view path, std::string_view header,
+                                 bool quoted) {
+    const std::string name(header);
+    if (isQtHeader(header) && !room.mayUseQt) {
+        return std::string(room.folder) + " must not use Qt: " + name;
+    }
+    if (header.starts_with("toml") && !mayUseToml(path)) {
+        return "only the sources of files (*_file.cpp, log_*.cpp) read TOML: " + name;
+    }
+    const bool ours = inTopFolder(header, "core") || inTopFolder(header, "ui") ||
+                      inTopFolder(header, "app") || inTopFolder(header, "tests");
+    if (ours) {
+        return mayInclude(room, header)
+                   ? std::nullopt
+                   : std::optional(std::string(room.folder) + " must not include " + name);
+    }
+    // moc's and uic's output lies in the build folder; anything else is named from the top.
+    const bool generated = header.ends_with(".moc") || header.starts_with("ui_");
+    if (quoted && !generated) {
+        return "name the header from the top folder: " + name;
+    }
+    return std::nullopt;
+}
+
+std::string at(std::string_view path, long line, const std::string& cause) {
+    return std::string(path) + ":" + std::to_string(line) + ": " + cause;
+}
+
+} // namespace
+
+std::vector<std::string> includeViolations(std::string_view path, std::string_view text) {
+    static const std::regex pattern(R"(^\s*#\s*include\s*([<"])([^>"]+)[>"].*)");
+    const Room* room = roomOf(path);
+    if (room == nullptr) {
+        return {at(path, 1, "this folder has no row in the table of allowed includes")};
+    }
+    std::vector<std::string> found;
+    std::istringstream in{std::string(text)};
+    std::string line;
+    for (long number = 1; std::getline(in, line); ++number) {
+        std::smatch match;
+        if (!std::regex_match(line, match, pattern)) {
+            continue;
+        }
+        if (const auto cause = judge(*room, path, match[2].str(), match[1].str() == "\"")) {
+            found.push_back(at(path, number, *cause));
+        }
+    }
+    return found;
+}
+
+std::vector<std::string> headerViolations(std::string_view path, std::string_view text) {
+    const bool gpl = inTopFolder(path, "ui") || inTopFolder(path, "app") || inTopFolder(path, "tests/ui") ||
+                     inTopFolder(path, "tests/app");
+    const std::string wanted = gpl ? "GPL-3.0-or-later" : "MIT";
+    const std::string header =
+        "// SPDX-FileCopyrightText: 2026 The Hexapose authors\n// SPDX-License-Identifier: ";
+    if (text.starts_with(header + wanted + "\n")) {
+        return {};
+    }
+    return {at(path, 1, "does not start with its two SPDX lines, licence " + wanted)};
+}
+
+std::vector<std::string> sizeViolations(std::string_view path, std::string_view text) {
+    const auto lines = std::count(text.begin(), text.end(), '\n');
+    if (lines <= longestSource) {
+        return {};
+    }
+    return {at(path, longestSource + 1,
+               std::to_string(lines) + " lines, more than " + std::to_string(longestSource))};
+}
+
+std::vector<std::string> linkViolations(std::string_view path, std::string_view text) {
+    const Room* room = roomOf(path);
+    if (room == nullptr || room->mayUseQt || text.find("Qt6::") == std::string_view::npos) {
+        return {};
+    }
+    return {at(path, 1, std::string(room->folder) + " must not link Qt")};
+}
+
+} // namespace hexapose::architecture
