@@ -11,8 +11,8 @@ namespace hexapose {
 std::filesystem::path cacheDirectory();
 /// $XDG_DATA_HOME/hexapose/logs, or ~/.local/share/hexapose/logs.
 std::filesystem::path defaultLogDirectory();
-/// Finds a shipped platform file by name ("laboratory") beside the program's installation, its build tree, or returns
-/// the argument itself when it names a file. Throws InputError with the places looked in.
+/// Finds a shipped platform file by name ("laboratory") beside the program's installation, its build tree, or
+/// returns the argument itself when it names a file. Throws InputError with the places looked in.
 std::filesystem::path findPlatformFile(const std::string& nameOrFile);
 
 } // namespace hexapose

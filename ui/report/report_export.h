@@ -21,4 +21,7 @@ void paintErrorPanels(QPainter& painter, const QRectF& area, const ErrorReport& 
 /// written under a temporary name and renamed. Throws InputError when one cannot be written. Returns the paths.
 std::vector<std::filesystem::path> exportErrorReport(const ErrorReport& report, const std::filesystem::path& directory);
 
+/// The two panels alone: `stem`.png and `stem`.svg. Throws InputError when one cannot be written.
+void exportErrorPictures(const ErrorReport& report, const std::filesystem::path& stem);
+
 } // namespace hexapose

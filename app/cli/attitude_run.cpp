@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "app/cli/attitude_run.h"
+
+#include <utility>
+
+namespace hexapose {
+
+namespace {
+
+/// Longer than the second that a report averages, by some feedback periods.
+constexpr std::chrono::milliseconds kDwell{1100};
+
+} // namespace
+
+AttitudeRun::AttitudeRun(PlatformDevice& device, const PlatformGeometry& geometry,
+                         const ForwardSolver& solver, LogWriter& log, std::vector<Pose> targets,
+                         const Options& options)
+    : m_log(log), m_options(options), m_sequence(std::move(targets), kDwell),
+      m_loop(device, geometry, solver, ControlOptions{},
+             [this](const Snapshot& snapshot) { take(snapshot); }) {}
+
+void AttitudeRun::run(const std::function<bool()>& interrupted) {
+    while (!m_over && m_sequence.phase() != AttitudeSequence::Phase::Done && !interrupted())
+        m_loop.cycle();
+    if (!m_failure && m_sequence.phase() != AttitudeSequence::Phase::Done)
+        m_failure = "interrupted";
+    m_loop.shutDown();
+}
+
+void AttitudeRun::checkConnection(const Snapshot& snapshot) {
+    if (snapshot.link == LinkState::ListenOnly)
+        m_failure = "an unprotected sender of lengths takes no commands";
+    else if (snapshot.time > m_options.connectWithin)
+        m_failure = "no controller answered within " + std::to_string(m_options.connectWithin.count()) + " s";
+    for (const Event& event : snapshot.events)
+        if (event.code == EventCode::LinkLost)
+            m_failure = event.detail;
+}
+
+void AttitudeRun::take(const Snapshot& snapshot) {
+    m_log.append(snapshot);
+    m_connected = m_connected || snapshot.state != RunState::Disconnected;
+    if (!m_connected || snapshot.link == LinkState::ListenOnly)
+        checkConnection(snapshot);
+    if (std::optional<SettledSample> sample = m_sampler.add(snapshot))
+        m_samples.push_back(*sample);
+    const bool down = snapshot.state == RunState::Stopped || snapshot.state == RunState::Fault;
+    if (m_options.clearFirst && down && m_sequence.phase() == AttitudeSequence::Phase::Waiting) {
+        if (!std::exchange(m_clearPosted, true))
+            m_loop.post(ClearCommand{});
+        return;
+    }
+    if (const std::optional<Pose> next = m_sequence.add(snapshot))
+        m_loop.post(RunCommand{*next});
+    if (m_sequence.phase() == AttitudeSequence::Phase::Failed && !m_failure)
+        m_failure = formatEvent(*m_sequence.failure());
+    m_over = m_failure.has_value();
+}
+
+} // namespace hexapose

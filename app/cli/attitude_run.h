@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/control/attitude_sequence.h"
+#include "core/control/control_loop.h"
+#include "core/device/platform_device.h"
+#include "core/record/log_writer.h"
+#include "core/report/settled_sample.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hexapose {
+
+/// The operator's main job without a screen: connect, reference, enable, visit the attitudes, record. Runs on
+/// the calling thread.
+class AttitudeRun {
+public:
+    struct Options {
+        bool clearFirst = false; ///< clear a stop or fault that the controller is in
+        std::chrono::seconds connectWithin{10};
+    };
+
+    AttitudeRun(PlatformDevice& device, const PlatformGeometry& geometry, const ForwardSolver& solver,
+                LogWriter& log, std::vector<Pose> targets, const Options& options);
+
+    /// Until all attitudes are visited, something ends the run, or `interrupted` says so; then stops and
+    /// disables.
+    void run(const std::function<bool()>& interrupted);
+
+    const std::vector<SettledSample>& samples() const { return m_samples; }
+    std::size_t visited() const { return m_sequence.finished(); }
+    /// Why not all attitudes were visited, in words; nothing when they were.
+    const std::optional<std::string>& failure() const { return m_failure; }
+
+private:
+    void take(const Snapshot& snapshot);
+    void checkConnection(const Snapshot& snapshot);
+
+    LogWriter& m_log;
+    Options m_options;
+    AttitudeSequence m_sequence;
+    SettledSampler m_sampler;
+    ControlLoop m_loop;
+    std::vector<SettledSample> m_samples;
+    std::optional<std::string> m_failure;
+    bool m_connected = false;
+    bool m_clearPosted = false;
+    bool m_over = false;
+};
+
+} // namespace hexapose

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "app/cli/arguments.h"
+#include "app/cli/command.h"
+#include "app/cli/number_rows.h"
+#include "core/control/limits.h"
+#include "core/geometry/units.h"
+#include "core/kinematics/inverse_kinematics.h"
+#include "core/record/unit_text.h"
+
+#include <cstdio>
+#include <limits>
+#include <string>
+
+namespace hexapose {
+
+int inverseCommand(const QStringList& words) {
+    const Arguments arguments("inverse", {QStringLiteral("POSES.csv")}, {}, words);
+    const PlatformGeometry platform = arguments.platform();
+    const CsvTable table = readCsv(arguments.operand(0));
+    const NumberRows rows(table, kPoseColumns);
+    MotionLimits limits = motionLimits(platform, std::nullopt, std::nullopt);
+    limits.singularityMargin =
+        0.0; // strokes alone are judged here; the way to a pose is a matter of the move
+
+    bool allOk = true;
+    std::string out = "l1_mm,l2_mm,l3_mm,l4_mm,l5_mm,l6_mm,status\n";
+    for (const CsvTable::Row& row : everyRow(table)) {
+        std::string status = "invalid-input";
+        if (const auto values = rows.read(row)) {
+            Pose pose;
+            for (int k = 0; k < 3; ++k)
+                pose.offset[k] = metresFromMm((*values)[k]);
+            pose.angles = {radiansFromDeg((*values)[3]), radiansFromDeg((*values)[4]),
+                           radiansFromDeg((*values)[5])};
+            const LegLengths lengths = legLengths(platform, pose);
+            for (int i = 0; i < kLegCount; ++i)
+                out += mmText(lengths[i]) + ",";
+            status = toWords(checkPose(platform, limits, pose));
+        } else {
+            out += ",,,,,,";
+        }
+        allOk = allOk && status == "ok";
+        out += status + "\n";
+    }
+    std::fwrite(out.data(), 1, out.size(), stdout);
+    return allOk ? kExitDone : kExitSomeFailed;
+}
+
+} // namespace hexapose

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "app/cli/command.h"
+#include "core/geometry/input_error.h"
+
+#include <QCoreApplication>
+#include <QGuiApplication>
+#include <QtGlobal>
+
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <memory>
+#include <string>
+
+namespace {
+
+using namespace hexapose;
+
+struct Command {
+    const char* name;
+    int (*run)(const QStringList& arguments);
+    bool draws; ///< needs fonts and a paint engine, but never a display
+    const char* help;
+};
+
+constexpr Command kCommands[] = {
+    {"inverse", inverseCommand, false, "leg lengths of poses"},
+    {"forward", forwardCommand, false, "poses of leg lengths"},
+    {"train", trainCommand, false, "fit a regression model to a platform"},
+    {"simulate", simulateCommand, false, "a virtual platform on a pseudo-terminal"},
+    {"run", runCommand, true, "move a platform through a list of attitudes, and report"},
+    {"report", reportCommand, true, "the error report of a recorded run"},
+    {"reproduce", reproduceCommand, true, "the published tables beside measured values"},
+};
+
+void printHelp() {
+    std::puts(
+        "Usage: hexapose-cli COMMAND [OPTIONS]\n\nForward kinematics and control of six-legged parallel "
+        "platforms.\n\nCommands:");
+    for (const Command& command : kCommands)
+        std::printf("  %-10s %s\n", command.name, command.help);
+    std::puts(
+        "\n'hexapose-cli COMMAND --help' lists the options of a command. Exit status: 0 done; 1 the work ran "
+        "but some\nrows or checks failed; 2 bad usage or input.");
+}
+
+const Command* findCommand(const char* name) {
+    for (const Command& command : kCommands)
+        if (std::strcmp(command.name, name) == 0)
+            return &command;
+    return nullptr;
+}
+
+int runGuarded(const Command& command, const QStringList& arguments) {
+    try {
+        int status = command.run(arguments);
+        if (std::fflush(stdout) != 0 || std::ferror(stdout))
+            throw InputError("standard output", std::strerror(errno));
+        return status;
+    } catch (const InputError& error) {
+        std::fprintf(stderr, "hexapose-cli: %s\n", error.what());
+        return kExitBadInput;
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "hexapose-cli: %s: %s\n", command.name, error.what());
+        return kExitSomeFailed;
+    }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    if (argc < 2 || std::strcmp(argv[1], "--help") == 0 || std::strcmp(argv[1], "-h") == 0 ||
+        std::strcmp(argv[1], "help") == 0) {
+        if (argc >= 2) {
+            printHelp();
+            return kExitDone;
+        }
+        std::fputs("hexapose-cli: missing command (see hexapose-cli --help)\n", stderr);
+        return kExitBadInput;
+    }
+    if (std::strcmp(argv[1], "--version") == 0) {
+        std::puts("hexapose-cli " HEXAPOSE_VERSION);
+        return kExitDone;
+    }
+    const Command* command = findCommand(argv[1]);
+    if (!command) {
+        std::fprintf(stderr, "hexapose-cli: unknown command '%s' (see hexapose-cli --help)\n", argv[1]);
+        return kExitBadInput;
+    }
+    QStringList arguments;
+    for (int i = 2; i < argc; ++i)
+        arguments.append(QString::fromLocal8Bit(argv[i]));
+    int ownCount = 1; // our options are not Qt's
+    std::unique_ptr<QCoreApplication> application;
+    if (command->draws) {
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+        application = std::make_unique<QGuiApplication>(ownCount, argv);
+    } else {
+        application = std::make_unique<QCoreApplication>(ownCount, argv);
+    }
+    return runGuarded(*command, arguments);
+}

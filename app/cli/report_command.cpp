@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "app/cli/arguments.h"
+#include "app/cli/command.h"
+#include "app/cli/solver_choice.h"
+#include "core/geometry/input_error.h"
+#include "core/geometry/units.h"
+#include "core/record/log_reader.h"
+#include "core/report/error_report.h"
+#include "ui/report/report_export.h"
+
+#include <cstdio>
+
+namespace hexapose {
+
+namespace {
+
+std::vector<SettledSample> settledSamples(const SessionLog& log) {
+    std::vector<SettledSample> samples;
+    SettledSampler sampler;
+    for (const Snapshot& row : log.rows)
+        if (const auto sample = sampler.add(row))
+            samples.push_back(*sample);
+    if (const auto last = sampler.finish())
+        samples.push_back(*last);
+    return samples;
+}
+
+} // namespace
+
+int reportCommand(const QStringList& words) {
+    const Arguments arguments(
+        "report", {QStringLiteral("LOG.csv")},
+        {{"out", "DIR", "Directory of report.pdf, errors.csv, errors.png and errors.svg."},
+         {"resolution-mm", "R", "Resolution of the lengths (default: 0.1)."},
+         {"method", "M", "Forward method, as in 'forward'."},
+         {"model", "FILE", "Regression model, as in 'forward'."}},
+        words);
+    const std::string directory = arguments.requiredText("out");
+    const double resolution = metresFromMm(arguments.positive("resolution-mm", 0.1));
+    const std::string file = arguments.operand(0);
+    const SessionLog log = readSessionLog(file);
+    for (const std::string& warning : log.warnings)
+        std::fprintf(stderr, "hexapose-cli: %s\n", warning.c_str());
+    const PlatformGeometry platform =
+        log.platform && !arguments.has("platform") ? *log.platform : arguments.platform();
+    const std::vector<SettledSample> samples = settledSamples(log);
+    if (samples.empty())
+        throw InputError(file, "holds no settled attitude (a move, then a second of state enabled)");
+    const ChosenSolver chosen = chooseSolver(arguments, platform);
+    const ErrorReport report = makeErrorReport(platform, *chosen.solver, samples, resolution);
+    for (const std::filesystem::path& written : exportErrorReport(report, directory))
+        std::printf("%s\n", written.c_str());
+    return report.failed > 0 ? kExitSomeFailed : kExitDone;
+}
+
+} // namespace hexapose

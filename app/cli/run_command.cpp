@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "app/cli/arguments.h"
+#include "app/cli/attitude_run.h"
+#include "app/cli/command.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/solver_choice.h"
+#include "app/common/device_factory.h"
+#include "core/control/limits.h"
+#include "core/geometry/input_error.h"
+#include "core/geometry/number_text.h"
+#include "core/geometry/units.h"
+#include "core/record/pose_list.h"
+#include "core/report/error_report.h"
+#include "ui/report/report_export.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <sys/stat.h>
+
+namespace hexapose {
+
+namespace {
+
+/// Before anything moves: an attitude that cannot be reached makes the whole list unusable.
+void checkTargets(const PlatformGeometry& platform, const std::vector<Pose>& targets,
+                  const std::string& file) {
+    const MotionLimits limits = motionLimits(platform, std::nullopt, std::nullopt);
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        const Verdict verdict = checkPose(platform, limits, targets[i]);
+        if (verdict.ok())
+            continue;
+        std::string cause = "attitude " + std::to_string(i + 1) + ": " + toWords(verdict);
+        if (verdict.leg > 0)
+            cause += " (" + formatFixed(mmFromMetres(verdict.value), 3) + " against " +
+                     formatNumber(mmFromMetres(verdict.bound)) + " mm)";
+        throw InputError(file, cause);
+    }
+}
+
+void checkPort(const std::string& port) {
+    struct stat status {};
+    if (stat(port.c_str(), &status) != 0)
+        throw InputError(port, "no such port");
+    if (!S_ISCHR(status.st_mode))
+        throw InputError(port, "is not a serial port");
+}
+
+std::unique_ptr<PlatformDevice> openDevice(const std::string& port, const PlatformGeometry& platform,
+                                           int baud) {
+    if (port == "virtual")
+        return makeVirtualDevice(platform);
+    checkPort(port);
+    return makeSerialDevice(port, baud);
+}
+
+} // namespace
+
+int runCommand(const QStringList& words) {
+    const Arguments arguments("run", {},
+                              {{"port", "PATH|virtual", "Serial port, or the built-in virtual platform."},
+                               {"baud", "N", "Baud rate (default: 115200)."},
+                               {"targets", "POSES.csv", "Attitudes to visit, in order."},
+                               {"mode", "joint", "Control mode (default: joint)."},
+                               {"log", "LOG.csv", "The log to write; never one that exists."},
+                               {"report", "DIR", "Write the error report into this directory."},
+                               {"clear", "", "Clear a stop or fault of the controller first."},
+                               {"method", "M", "Forward method, as in 'forward'."},
+                               {"model", "FILE", "Regression model, as in 'forward'."}},
+                              words);
+    const std::string port = arguments.requiredText("port");
+    const std::string targetsFile = arguments.requiredText("targets");
+    const std::string logFile = arguments.requiredText("log");
+    const std::string mode = arguments.text("mode", "joint");
+    if (mode != "joint")
+        throw InputError("--mode", "'" + mode + "' is not a mode of this version (known: joint)");
+    const int baud = static_cast<int>(arguments.integer("baud", 115200, 50, 12000000));
+    const PlatformGeometry platform = arguments.platform();
+    const std::vector<Pose> targets = readPoseList(targetsFile);
+    checkTargets(platform, targets, targetsFile);
+    const ChosenSolver chosen = chooseSolver(arguments, platform);
+    const std::unique_ptr<PlatformDevice> device = openDevice(port, platform, baud);
+
+    LogMetadata metadata;
+    metadata.platform = platform;
+    metadata.modelFingerprint = chosen.modelFingerprint;
+    metadata.solver = std::string(chosen.solver->name());
+    metadata.programVersion = HEXAPOSE_VERSION;
+    metadata.port = port;
+    LogWriter log(logFile, metadata);
+
+    catchInterrupts();
+    AttitudeRun run(*device, platform, *chosen.solver, log, targets, {arguments.has("clear")});
+    run.run(interrupted);
+
+    const ErrorReport report = makeErrorReport(platform, *chosen.solver, run.samples());
+    const std::string table = formatErrorCsv(report);
+    std::fwrite(table.data(), 1, table.size(), stdout);
+    if (arguments.has("report") && !run.samples().empty())
+        exportErrorReport(report, arguments.requiredText("report"));
+    if (const auto lost = log.failure())
+        std::fprintf(stderr, "hexapose-cli: %s: %s\n", logFile.c_str(), lost->c_str());
+    if (run.failure())
+        std::fprintf(stderr, "hexapose-cli: %s: visited %zu of %zu attitudes: %s\n", port.c_str(),
+                     run.visited(), targets.size(), run.failure()->c_str());
+    return run.failure() || log.failure() || report.failed > 0 ? kExitSomeFailed : kExitDone;
+}
+
+} // namespace hexapose

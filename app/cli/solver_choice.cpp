@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "app/cli/solver_choice.h"
+
+#include "app/common/directories.h"
+#include "core/geometry/input_error.h"
+#include "core/geometry/units.h"
+#include "core/kinematics/forward_methods.h"
+#include "core/kinematics/model_cache.h"
+#include "core/kinematics/polynomial_file.h"
+
+#include <cmath>
+#include <cstdio>
+#include <unistd.h>
+
+namespace hexapose {
+
+namespace {
+
+const ForwardMethod& chooseMethod(const std::string& word) {
+    if (const ForwardMethod* method = findForwardMethod(word))
+        return *method;
+    std::string known;
+    for (const ForwardMethod& method : forwardMethods())
+        known += (known.empty() ? "" : ", ") + std::string(method.word);
+    throw InputError("--method", "unknown method '" + word + "' (known: " + known + ")");
+}
+
+PolynomialModel ownModel(const PlatformGeometry& platform, const ForwardMethod& method) {
+    const TrainingSpec spec = defaultTrainingSpec(platform, method.modelDegree);
+    auto cached = loadOrTrainModel(platform, spec, cacheDirectory(),
+                                   [](double part) { return showProgress("training the model", part); });
+    return std::move(cached->model); // never cancelled here
+}
+
+PolynomialModel givenModel(const std::string& file, const PlatformGeometry& platform,
+                           const ForwardMethod& method) {
+    PolynomialModel model = loadModel(file, platform);
+    if (model.spec.degree != method.modelDegree)
+        throw InputError(file, "a model of degree " + std::to_string(model.spec.degree) + ", but " +
+                                   std::string(method.word) + " needs degree " +
+                                   std::to_string(method.modelDegree));
+    return model;
+}
+
+ChosenSolver withModel(const ForwardMethod& method, const PlatformGeometry& platform,
+                       const PolynomialModel& model, const NewtonOptions& options) {
+    return {makeForwardSolver(method, platform, &model, options), model.fingerprint()};
+}
+
+} // namespace
+
+ChosenSolver chooseSolver(const Arguments& arguments, const PlatformGeometry& platform) {
+    const ForwardMethod& method = chooseMethod(arguments.text("method", "mpr3-nr"));
+    NewtonOptions options;
+    options.tolerance = metresFromMm(arguments.positive("tolerance-mm", 0.0));
+    options.maxIterations =
+        static_cast<int>(arguments.integer("max-iterations", options.maxIterations, 1, 1000000));
+    if (method.modelDegree == 0) {
+        if (arguments.has("model"))
+            throw InputError("--model", "method " + std::string(method.word) + " uses no model");
+        return {makeForwardSolver(method, platform, nullptr, options), {}};
+    }
+    const PolynomialModel model = arguments.has("model")
+                                      ? givenModel(arguments.requiredText("model"), platform, method)
+                                      : ownModel(platform, method);
+    return withModel(method, platform, model, options);
+}
+
+ChosenSolver makeDefaultSolver(const ForwardMethod& method, const PlatformGeometry& platform) {
+    if (method.modelDegree == 0)
+        return {makeForwardSolver(method, platform, nullptr, NewtonOptions{}), {}};
+    return withModel(method, platform, ownModel(platform, method), NewtonOptions{});
+}
+
+bool showProgress(const std::string& label, double part) {
+    if (isatty(STDERR_FILENO) == 0)
+        return true;
+    constexpr int kWidth = 40;
+    const int filled = static_cast<int>(std::lround(part * kWidth));
+    std::fprintf(stderr, "\r%s [%s%s] %3.0f %%%s", label.c_str(),
+                 std::string(static_cast<std::size_t>(filled), '#').c_str(),
+                 std::string(static_cast<std::size_t>(kWidth - filled), ' ').c_str(), 100.0 * part,
+                 part >= 1.0 ? "\n" : "");
+    std::fflush(stderr);
+    return true;
+}
+
+} // namespace hexapose

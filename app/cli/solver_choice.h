@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/cli/arguments.h"
+#include "core/geometry/platform_geometry.h"
+#include "core/kinematics/forward_methods.h"
+#include "core/kinematics/forward_solver.h"
+
+#include <memory>
+#include <string>
+
+namespace hexapose {
+
+struct ChosenSolver {
+    std::unique_ptr<ForwardSolver> solver;
+    std::string modelFingerprint; ///< empty: no model
+};
+
+/// The solver of --method, --model, --tolerance-mm and --max-iterations. A method that needs a model gets the
+/// one of
+/// --model, or the platform's own, trained on first use with a progress bar on a terminal.
+ChosenSolver chooseSolver(const Arguments& arguments, const PlatformGeometry& platform);
+
+/// The solver of a method with its default options and the platform's own model.
+ChosenSolver makeDefaultSolver(const ForwardMethod& method, const PlatformGeometry& platform);
+
+/// A progress bar on standard error, only where that is a terminal. Returns true, so that it can serve as a
+/// callback.
+bool showProgress(const std::string& label, double part);
+
+} // namespace hexapose

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "app/common/directories.h"
+
+#include "core/geometry/input_error.h"
+
+#include <cstdlib>
+#include <system_error>
+
+namespace hexapose {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path fromEnvironment(const char* variable, const char* belowHome) {
+    const char* value = std::getenv(variable);
+    if (value && *value == '/') // the XDG specification: relative paths are to be ignored
+        return value;
+    const char* home = std::getenv("HOME");
+    return home && *home ? fs::path(home) / belowHome : fs::temp_directory_path();
+}
+
+fs::path programDirectory() {
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error);
+    return error ? fs::current_path() : program.parent_path();
+}
+
+} // namespace
+
+fs::path cacheDirectory() {
+    return fromEnvironment("XDG_CACHE_HOME", ".cache") / "hexapose";
+}
+
+fs::path defaultLogDirectory() {
+    return fromEnvironment("XDG_DATA_HOME", ".local/share") / "hexapose" / "logs";
+}
+
+fs::path findPlatformFile(const std::string& nameOrFile) {
+    std::error_code error;
+    if (fs::exists(nameOrFile, error))
+        return nameOrFile;
+    if (nameOrFile.empty() || nameOrFile.find('/') != std::string::npos ||
+        fs::path(nameOrFile).has_extension())
+        throw InputError(nameOrFile.empty() ? "--platform" : nameOrFile, "no such platform file");
+    const fs::path bin = programDirectory();
+    const fs::path installed = bin / "../share/hexapose/platforms";
+    const fs::path sourceTree = bin / "../../../resources/platforms"; // build/<preset>/bin
+    for (const fs::path& directory : {installed, sourceTree}) {
+        const fs::path file = (directory / (nameOrFile + ".toml")).lexically_normal();
+        if (fs::exists(file, error))
+            return file;
+    }
+    throw InputError(nameOrFile, "no such platform file, and none of this name in " +
+                                     installed.lexically_normal().string() + " or " +
+                                     sourceTree.lexically_normal().string());
+}
+
+} // namespace hexapose
