@@ -1,0 +1,306 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: MIT
+
+#include "core/control/control_loop.h"
+
+#include "core/geometry/geometry_file.h"
+#include "core/geometry/units.h"
+#include "core/kinematics/newton_raphson.h"
+#include "tests/support/scripted_device.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <thread>
+
+namespace hexapose {
+namespace {
+
+using namespace std::chrono_literals;
+using testing::ScriptedDevice;
+
+constexpr double kSettleWindow = 2e-4; // m, as the loop's default for the laboratory platform
+
+Pose target() {
+    return {{0.012, -0.004, 0.040}, {0.0, 0.0, radiansFromDeg(5.0)}};
+}
+
+class ControlLoopTest : public ::testing::Test {
+protected:
+    ControlLoopTest() {
+        m_loop = std::make_unique<ControlLoop>(
+            m_device, m_geometry, m_solver, ControlOptions{}, [this](const Snapshot& s) { take(s); },
+            m_device.clock());
+    }
+    void take(const Snapshot& snapshot) {
+        m_last = snapshot;
+        m_states.push_back(snapshot.state);
+        m_events.insert(m_events.end(), snapshot.events.begin(), snapshot.events.end());
+    }
+    void cycles(int count) {
+        for (int k = 0; k < count; ++k)
+            m_loop->cycle();
+    }
+    void until(RunState state, int atMost = 2000) {
+        for (int k = 0; k < atMost && m_last.state != state; ++k)
+            m_loop->cycle();
+        ASSERT_EQ(m_last.state, state);
+    }
+    bool saw(EventCode code) const {
+        return std::any_of(m_events.begin(), m_events.end(), [&](const Event& e) { return e.code == code; });
+    }
+    std::string detailOf(EventCode code) const {
+        const auto found =
+            std::find_if(m_events.begin(), m_events.end(), [&](const Event& e) { return e.code == code; });
+        return found == m_events.end() ? "no such event" : found->detail;
+    }
+    void run() { m_loop->post(RunCommand{target()}); }
+    /// To the middle of a move.
+    void startMoving() {
+        cycles(2);
+        run();
+        until(RunState::Moving);
+        cycles(20);
+    }
+    bool motionWasSentSince(std::size_t mark) const {
+        for (std::size_t k = mark + 1; k < m_device.received.size(); ++k) {
+            const auto& a = m_device.received[k - 1].lengths;
+            const auto& b = m_device.received[k].lengths;
+            if (a && b && (*a - *b).norm() > 0.0)
+                return true;
+        }
+        return false;
+    }
+
+    PlatformGeometry m_geometry = loadPlatform(HEXAPOSE_SOURCE_DIR "/resources/platforms/laboratory.toml");
+    ScriptedDevice m_device{m_geometry};
+    NewtonRaphson m_solver{m_geometry, NewtonOptions{}};
+    Snapshot m_last;
+    std::vector<RunState> m_states;
+    std::vector<Event> m_events;
+    std::unique_ptr<ControlLoop> m_loop;
+};
+
+TEST_F(ControlLoopTest, RunReferencesEnablesMovesAndSettlesOnTheTarget) {
+    cycles(3);
+    EXPECT_EQ(m_last.state, RunState::Unreferenced);
+    run();
+    until(RunState::Settling);
+    until(RunState::Enabled);
+    const std::vector<EventCode> order{EventCode::Referencing, EventCode::Referenced, EventCode::Enabled,
+                                       EventCode::MoveStarted, EventCode::Settled};
+    auto from = m_events.begin();
+    for (const EventCode code : order) {
+        from = std::find_if(from, m_events.end(), [&](const Event& e) { return e.code == code; });
+        EXPECT_NE(from, m_events.end()) << toWord(code);
+    }
+    ASSERT_TRUE(m_last.measuredPose);
+    EXPECT_LT((m_last.measuredPose->offset - target().offset).norm(), kSettleWindow);
+    EXPECT_NEAR(m_last.measuredPose->angles.gamma, target().angles.gamma, radiansFromDeg(0.05));
+    ASSERT_TRUE(m_last.targetPose);
+    EXPECT_LT((m_last.targetPose->toVector() - target().toVector()).norm(), 1e-9);
+    EXPECT_EQ(m_last.status, SolveStatus::Converged);
+}
+
+TEST_F(ControlLoopTest, NothingButRunStartsMotion) {
+    cycles(3);
+    const std::size_t mark = m_device.received.size();
+    m_loop->post(ReferenceCommand{});
+    cycles(5);
+    m_loop->post(EnableCommand{});
+    cycles(50);
+    EXPECT_EQ(m_last.state, RunState::Enabled);
+    m_loop->post(StopCommand{});
+    cycles(5);
+    m_loop->post(ClearCommand{});
+    cycles(5);
+    m_loop->post(EnableCommand{});
+    cycles(50);
+    EXPECT_FALSE(motionWasSentSince(mark)) << "held set-points may be sent, moving ones not";
+    EXPECT_FALSE(saw(EventCode::MoveStarted));
+}
+
+TEST_F(ControlLoopTest, StopGoesOutInTheNextExchangeBeatsWhatIsQueuedAndNeedsClear) {
+    startMoving();
+    const std::size_t mark = m_device.received.size();
+    run();
+    m_loop->post(StopCommand{});
+    run();
+    cycles(1);
+    EXPECT_EQ(m_device.received[mark].request, DeviceRequest::Stop);
+    EXPECT_FALSE(m_device.received[mark].lengths);
+    EXPECT_EQ(m_last.state, RunState::Stopped);
+    EXPECT_FALSE(m_last.goalPose) << "after a stop the target is where the platform is";
+    run();
+    cycles(50);
+    EXPECT_EQ(detailOf(EventCode::CommandRefused), "run in stopped");
+    for (std::size_t k = mark; k < m_device.received.size(); ++k)
+        EXPECT_FALSE(m_device.received[k].lengths);
+    m_loop->post(ClearCommand{});
+    cycles(5);
+    EXPECT_EQ(m_last.state, RunState::Disabled);
+    run();
+    until(RunState::Moving);
+    until(RunState::Enabled);
+}
+
+TEST_F(ControlLoopTest, RefusesAnUnreachableTargetWholeWithTheReason) {
+    cycles(2);
+    Pose high = target();
+    high.offset.z() = 0.09;
+    m_loop->post(RunCommand{high});
+    cycles(20);
+    EXPECT_NE(detailOf(EventCode::MoveRefused).find("above max_mm"), std::string::npos);
+    EXPECT_EQ(m_device.state, ControllerState::Unreferenced) << "a refused move does not even reference";
+    Pose bad;
+    bad.angles.beta = std::numeric_limits<double>::quiet_NaN();
+    m_events.clear();
+    m_loop->post(RunCommand{bad});
+    cycles(2);
+    EXPECT_EQ(detailOf(EventCode::MoveRefused), "invalid-input");
+}
+
+TEST_F(ControlLoopTest, TheControllersOwnLimitsCountToo) {
+    m_device.maxLength = 0.330;
+    cycles(2);
+    run();
+    cycles(2);
+    EXPECT_NE(detailOf(EventCode::MoveRefused).find("above max_mm"), std::string::npos);
+}
+
+TEST_F(ControlLoopTest, SilenceWhileMovingStopsAndShowsStaleData) {
+    startMoving();
+    m_device.silent = true;
+    until(RunState::Stopped, 60);
+    EXPECT_TRUE(m_last.stale);
+    EXPECT_TRUE(saw(EventCode::DataStale));
+    EXPECT_TRUE(saw(EventCode::StoppedOnStaleData));
+    cycles(1000);
+    EXPECT_GT(m_last.age, 9s);
+    m_device.silent = false;
+    cycles(3);
+    EXPECT_FALSE(m_last.stale);
+    EXPECT_EQ(m_last.state, RunState::Stopped) << "data that comes back starts nothing";
+}
+
+TEST_F(ControlLoopTest, ABadMeasurementStopsAndNeverBecomesAPose) {
+    for (const double bad : {std::numeric_limits<double>::quiet_NaN(), -0.3, 0.0, 5.0}) {
+        SCOPED_TRACE(bad);
+        m_device.state = ControllerState::Enabled;
+        m_device.reportInstead.reset();
+        startMoving();
+        LegLengths broken = m_device.lengths;
+        broken[3] = bad;
+        m_device.reportInstead = broken;
+        cycles(1);
+        EXPECT_FALSE(m_last.measuredPose);
+        EXPECT_EQ(m_last.state, RunState::Stopped);
+        EXPECT_TRUE(saw(EventCode::StoppedOnSolver));
+        m_device.reportInstead.reset();
+        cycles(2);
+        m_loop->post(ClearCommand{});
+        cycles(3);
+        m_device.lengths = m_geometry.homeLengths();
+    }
+}
+
+TEST_F(ControlLoopTest, AControllerThatStopsFaultsOrRefusesEndsTheMove) {
+    startMoving();
+    m_device.state = ControllerState::Stopped;
+    cycles(2);
+    EXPECT_EQ(m_last.state, RunState::Stopped);
+    EXPECT_EQ(detailOf(EventCode::StoppedByController), "S");
+    m_loop->post(ClearCommand{});
+    cycles(2);
+
+    startMoving();
+    m_device.notices.push_back({DeviceNotice::Kind::Fault, "7", "leg 2 overcurrent"});
+    m_device.state = ControllerState::Fault;
+    cycles(2);
+    EXPECT_EQ(m_last.state, RunState::Fault);
+    EXPECT_EQ(detailOf(EventCode::ControllerFault), "7 leg 2 overcurrent");
+    m_loop->post(ClearCommand{});
+    cycles(2);
+
+    startMoving();
+    m_device.notices.push_back({DeviceNotice::Kind::Refused, "SET", "RANGE leg 1"});
+    cycles(2);
+    EXPECT_EQ(m_last.state, RunState::Stopped);
+    EXPECT_EQ(detailOf(EventCode::StoppedOnRefusal), "SET RANGE leg 1");
+}
+
+TEST_F(ControlLoopTest, ALostPortShowsNothingAsLiveAndComesBackAtRest) {
+    startMoving();
+    m_device.link = LinkState::Lost;
+    m_device.notices.push_back({DeviceNotice::Kind::LinkLost, {}, "unplugged"});
+    cycles(2);
+    EXPECT_EQ(m_last.state, RunState::Disconnected);
+    EXPECT_TRUE(m_last.stale);
+    EXPECT_FALSE(m_last.commandedLengths);
+    m_device.link = LinkState::Connected;
+    const std::size_t mark = m_device.received.size();
+    cycles(100);
+    EXPECT_FALSE(motionWasSentSince(mark));
+    EXPECT_FALSE(m_last.stale);
+}
+
+TEST_F(ControlLoopTest, AnUnprotectedSenderIsShownAndNeverCommanded) {
+    m_device.link = LinkState::ListenOnly;
+    cycles(3);
+    EXPECT_TRUE(m_last.measuredPose);
+    EXPECT_FALSE(m_last.protectedLink);
+    const std::size_t mark = m_device.received.size();
+    run();
+    cycles(20);
+    EXPECT_EQ(detailOf(EventCode::CommandRefused), "run in disabled");
+    for (std::size_t k = mark; k < m_device.received.size(); ++k)
+        EXPECT_TRUE(!m_device.received[k].lengths && m_device.received[k].request == DeviceRequest::None);
+}
+
+TEST_F(ControlLoopTest, GivesUpAnEnableThatDoesNotCome) {
+    m_device.ignoresEnable = true;
+    cycles(2);
+    run();
+    cycles(600);
+    EXPECT_EQ(detailOf(EventCode::PreparationFailed), "enable");
+    EXPECT_EQ(m_last.state, RunState::Disabled);
+}
+
+TEST_F(ControlLoopTest, LegsThatDoNotArriveAreNeverCalledSettled) {
+    startMoving();
+    m_device.stuck = true;
+    cycles(2000);
+    EXPECT_EQ(m_last.state, RunState::Settling);
+    EXPECT_TRUE(saw(EventCode::NotSettled));
+    EXPECT_FALSE(saw(EventCode::Settled));
+}
+
+TEST_F(ControlLoopTest, ShutDownStopsAMoveAndDisables) {
+    startMoving();
+    const std::size_t mark = m_device.received.size();
+    m_loop->shutDown();
+    EXPECT_EQ(m_device.received[mark].request, DeviceRequest::Stop);
+    EXPECT_NE(m_device.state, ControllerState::Enabled);
+}
+
+TEST_F(ControlLoopTest, AHeldPlatformThatIsShutDownIsDisabled) {
+    startMoving();
+    until(RunState::Enabled);
+    m_loop->shutDown();
+    EXPECT_EQ(m_device.state, ControllerState::Disabled);
+}
+
+TEST_F(ControlLoopTest, CommandsMayComeFromAnotherThread) {
+    std::thread other([this] {
+        for (int k = 0; k < 200; ++k)
+            m_loop->post(ReferenceCommand{});
+    });
+    cycles(200);
+    other.join();
+    cycles(2);
+    EXPECT_EQ(m_last.state, RunState::Disabled);
+}
+
+} // namespace
+} // namespace hexapose

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: MIT
+
+#include "core/control/limits.h"
+
+#include "core/geometry/geometry_file.h"
+#include "core/geometry/units.h"
+#include "core/kinematics/inverse_kinematics.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace hexapose {
+namespace {
+
+class LimitsTest : public ::testing::Test {
+protected:
+    PlatformGeometry m_geometry = loadPlatform(HEXAPOSE_SOURCE_DIR "/resources/platforms/laboratory.toml");
+    MotionLimits m_limits = motionLimits(m_geometry, std::nullopt, std::nullopt);
+};
+
+Pose poseMm(double x, double y, double z, double alphaDeg, double betaDeg, double gammaDeg) {
+    return {{metresFromMm(x), metresFromMm(y), metresFromMm(z)},
+            {radiansFromDeg(alphaDeg), radiansFromDeg(betaDeg), radiansFromDeg(gammaDeg)}};
+}
+
+TEST_F(LimitsTest, TakesTheNarrowerOfPlatformAndController) {
+    const MotionLimits narrowed = motionLimits(m_geometry, 0.26, 0.9);
+    EXPECT_DOUBLE_EQ(narrowed.minLength[0], 0.26);
+    EXPECT_DOUBLE_EQ(narrowed.maxLength[5], 0.35);
+}
+
+TEST_F(LimitsTest, NamesTheLegThatIsFurthestOutWithValueAndBound) {
+    const Pose high = poseMm(30, 0, 60, 0, 0, 0);
+    const LegLengths lengths = legLengths(m_geometry, high);
+    int longest = 0;
+    lengths.maxCoeff(&longest);
+    const Verdict verdict = checkPose(m_geometry, m_limits, high);
+    EXPECT_EQ(verdict.reason, Verdict::Reason::LegAboveMax);
+    EXPECT_EQ(verdict.leg, longest + 1);
+    EXPECT_DOUBLE_EQ(verdict.value, lengths[longest]);
+    EXPECT_DOUBLE_EQ(verdict.bound, 0.35);
+    EXPECT_EQ(toWords(verdict), "leg " + std::to_string(longest + 1) + " above max_mm");
+    EXPECT_EQ(checkPose(m_geometry, m_limits, poseMm(0, 0, -60, 0, 0, 0)).reason,
+              Verdict::Reason::LegBelowMin);
+}
+
+/// An independent oracle: a random pose is accepted exactly when its lengths are inside the strokes.
+TEST_F(LimitsTest, AgreesWithTheStrokesOnRandomPoses) {
+    m_limits.singularityMargin = 0.0;
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> mm(-60, 60);
+    std::uniform_real_distribution<double> deg(-20, 20);
+    int accepted = 0;
+    for (int k = 0; k < 2000; ++k) {
+        const Pose pose = poseMm(mm(random), mm(random), mm(random), deg(random), deg(random), deg(random));
+        const LegLengths lengths = legLengths(m_geometry, pose);
+        const bool inside = lengths.minCoeff() >= 0.25 && lengths.maxCoeff() <= 0.35;
+        EXPECT_EQ(checkPose(m_geometry, m_limits, pose).ok(), inside);
+        accepted += inside ? 1 : 0;
+    }
+    EXPECT_GT(accepted, 200);
+    EXPECT_LT(accepted, 1800);
+}
+
+TEST_F(LimitsTest, RefusesNumbersThatAreNot) {
+    for (int k = 0; k < 6; ++k) {
+        PoseVector v = PoseVector::Zero();
+        v[k] =
+            k % 2 == 0 ? std::numeric_limits<double>::quiet_NaN() : std::numeric_limits<double>::infinity();
+        EXPECT_EQ(toWords(checkPose(m_geometry, m_limits, Pose::fromVector(v))), "invalid-input");
+    }
+}
+
+TEST_F(LimitsTest, RefusesASingularPose) {
+    m_limits.minLength.setZero();
+    m_limits.maxLength.setConstant(10.0);
+    const Verdict verdict = checkPose(m_geometry, m_limits, poseMm(0, 0, 0, 0, 0, 90));
+    EXPECT_EQ(verdict.reason, Verdict::Reason::NearSingular);
+    EXPECT_LT(verdict.value, m_limits.singularityMargin);
+}
+
+TEST_F(LimitsTest, AcceptsTheLegPathOfAnOrdinaryMove) {
+    EXPECT_TRUE(checkLegPath(m_geometry, m_limits, Pose{}, poseMm(12, -4, 40, 0, 0, 5)).ok());
+    EXPECT_TRUE(checkLegPath(m_geometry, m_limits, poseMm(12, -4, 40, 0, 0, 5), Pose{}).ok());
+}
+
+/// Legs of yaw 0 to 120 deg cross a singularity on the way: both ends are good poses, the way is not.
+TEST_F(LimitsTest, RefusesALegPathThroughASingularityThoughBothEndsAreGood) {
+    m_limits.minLength.setZero();
+    m_limits.maxLength.setConstant(10.0);
+    const Pose turned = poseMm(0, 0, 0, 0, 0, 120);
+    ASSERT_TRUE(checkPose(m_geometry, m_limits, turned).ok());
+    const Verdict verdict = checkLegPath(m_geometry, m_limits, Pose{}, turned);
+    EXPECT_EQ(verdict.reason, Verdict::Reason::PathNearSingular);
+    EXPECT_GT(verdict.fraction, 0.4);
+    EXPECT_LT(verdict.fraction, 0.9);
+}
+
+} // namespace
+} // namespace hexapose

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: MIT
+
+#include "tests/support/scripted_device.h"
+
+#include <utility>
+
+namespace hexapose::testing {
+
+namespace {
+constexpr std::chrono::milliseconds kPeriod{10};
+} // namespace
+
+ScriptedDevice::ScriptedDevice(const PlatformGeometry& geometry)
+    : lengths(geometry.homeLengths()), m_home(lengths), m_now(std::chrono::hours(1)) {}
+
+void ScriptedDevice::obey(DeviceRequest request) {
+    const bool down = state == ControllerState::Stopped || state == ControllerState::Fault;
+    switch (request) {
+    case DeviceRequest::Reference:
+        lengths = m_home;
+        state = ControllerState::Disabled;
+        break;
+    case DeviceRequest::Enable:
+        if (state == ControllerState::Disabled && !ignoresEnable)
+            state = ControllerState::Enabled;
+        break;
+    case DeviceRequest::Disable:
+        state = ControllerState::Disabled;
+        break;
+    case DeviceRequest::Stop:
+        state = ControllerState::Stopped;
+        break;
+    case DeviceRequest::Clear:
+        if (down)
+            state = ControllerState::Disabled;
+        break;
+    case DeviceRequest::None:
+        break;
+    }
+}
+
+DeviceFeedback ScriptedDevice::exchange(const SetPoints& setPoints) {
+    received.push_back(setPoints);
+    m_now += kPeriod;
+    obey(setPoints.request);
+    if (setPoints.lengths && state == ControllerState::Enabled && !stuck)
+        lengths = *setPoints.lengths + leftToSettle * (lengths - *setPoints.lengths);
+    DeviceFeedback feedback;
+    feedback.link = link;
+    feedback.protectedLink = link == LinkState::Connected;
+    feedback.state = link == LinkState::Connected ? state : ControllerState::Unknown;
+    feedback.period = kPeriod;
+    feedback.minLength = minLength;
+    feedback.maxLength = maxLength;
+    feedback.notices = std::exchange(notices, {});
+    if (!silent && link != LinkState::Lost) {
+        m_measuredAt = m_now;
+        feedback.lengths = reportInstead.value_or(lengths);
+    }
+    feedback.receivedAt = m_measuredAt;
+    return feedback;
+}
+
+} // namespace hexapose::testing

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/device/platform_device.h"
+#include "core/geometry/platform_geometry.h"
+
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace hexapose::testing {
+
+/// A controller in one piece with the time it lives in: every exchange takes one period of a clock that only
+/// it moves. Legs follow first order; states and refusals as the line protocol has them.
+class ScriptedDevice : public PlatformDevice {
+public:
+    using Clock = std::chrono::steady_clock;
+    explicit ScriptedDevice(const PlatformGeometry& geometry);
+
+    DeviceFeedback exchange(const SetPoints& setPoints) override;
+    Clock::time_point now() const { return m_now; }
+    std::function<Clock::time_point()> clock() {
+        return [this] { return m_now; };
+    }
+
+    // The script: what the test changes between cycles.
+    ControllerState state = ControllerState::Unreferenced;
+    LinkState link = LinkState::Connected;
+    bool silent = false;                     ///< no measurement comes
+    bool ignoresEnable = false;              ///< stays disabled
+    bool stuck = false;                      ///< legs do not move
+    std::optional<LegLengths> reportInstead; ///< a bad measurement
+    std::vector<DeviceNotice> notices;       ///< handed out with the next exchange
+    double leftToSettle = 0.3;               ///< part of the distance that is left after a period
+    std::optional<double> minLength, maxLength;
+
+    // What the test looks at.
+    LegLengths lengths;
+    std::vector<SetPoints> received;
+
+private:
+    void obey(DeviceRequest request);
+
+    LegLengths m_home;
+    Clock::time_point m_now{};
+    Clock::time_point m_measuredAt{};
+};
+
+} // namespace hexapose::testing
