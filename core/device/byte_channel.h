@@ -21,11 +21,15 @@ public:
 class ByteChannel {
 public:
     virtual ~ByteChannel() = default;
-    /// Bytes that arrived, waiting up to `wait` for the first; 0 when none came. Throws ChannelError once the port
-    /// is gone.
+    /// Bytes that arrived, waiting up to `wait` for the first; 0 when none came. Throws ChannelError once the
+    /// port is gone.
     virtual std::size_t read(std::span<char> buffer, std::chrono::milliseconds wait) = 0;
     /// All bytes are handed to the system before it returns. Throws ChannelError.
     virtual void write(std::string_view bytes) = 0;
+    /// Bytes that were written and wait in this computer; 0 where that cannot be known.
+    virtual std::size_t unsent() { return 0; }
+    /// Forgets what waits, so that the next write goes out at once. The other side sees a torn frame at most.
+    virtual void dropUnsent() {}
 };
 
 } // namespace hexapose

@@ -62,8 +62,8 @@ struct LinkCounters {
     std::uint64_t droppedFields = 0; ///< unknown type or wrong number of fields
     std::uint64_t droppedNumber = 0; ///< a number that is not of the protocol's form or range, NaN among them
     std::uint64_t droppedGarbage = 0; ///< lines or runs of bytes outside a frame
-    std::uint64_t droppedOrder = 0;  ///< repeated frame, or a controller clock that went back
-    std::uint64_t missed = 0;        ///< frames the controller counted and we never saw
+    std::uint64_t droppedOrder = 0;   ///< repeated frame, or a controller clock that went back
+    std::uint64_t missed = 0;         ///< frames the controller counted and we never saw
     std::uint64_t dropped() const {
         return droppedCrc + droppedLength + droppedFields + droppedNumber + droppedGarbage + droppedOrder;
     }
@@ -71,15 +71,15 @@ struct LinkCounters {
 
 /// What came back. lengths is set only when a new measurement arrived in this exchange.
 struct DeviceFeedback {
-    std::optional<LegLengths> lengths;                     ///< measured, m
-    std::chrono::steady_clock::time_point receivedAt{};    ///< of the last measurement ever
-    std::chrono::microseconds controllerTime{0};           ///< the controller's clock at that measurement
+    std::optional<LegLengths> lengths;                  ///< measured, m
+    std::chrono::steady_clock::time_point receivedAt{}; ///< of the last measurement ever
+    std::chrono::microseconds controllerTime{0};        ///< the controller's clock at that measurement
     LinkState link = LinkState::Connecting;
-    ControllerState state = ControllerState::Unknown;      ///< as of the last measurement
-    bool protectedLink = false;                            ///< lengths came in checked frames
-    std::optional<std::int32_t> acceptedSetPoint;          ///< number of the last set-point that was accepted
-    std::chrono::milliseconds period{0};                   ///< feedback period in force; 0: not known
-    std::optional<double> minLength;                       ///< the controller's own limits, m, once known
+    ControllerState state = ControllerState::Unknown; ///< as of the last measurement
+    bool protectedLink = false;                       ///< lengths came in checked frames
+    std::optional<std::int32_t> acceptedSetPoint;     ///< number of the last set-point that was accepted
+    std::chrono::milliseconds period{0};              ///< feedback period in force; 0: not known
+    std::optional<double> minLength;                  ///< the controller's own limits, m, once known
     std::optional<double> maxLength;
     std::string controllerName;
     LinkCounters counters;
@@ -90,8 +90,8 @@ struct DeviceFeedback {
 class PlatformDevice {
 public:
     virtual ~PlatformDevice() = default;
-    /// Sends, then waits for the next measurement, but never longer than about 15 ms, so that a Stop asked for
-    /// meanwhile goes out soon. Never throws for what a controller sends; a lost port is LinkState::Lost.
+    /// Sends, then waits for the next measurement, but never longer than about 15 ms, so that a Stop asked
+    /// for meanwhile goes out soon. Never throws for what a controller sends; a lost port is LinkState::Lost.
     virtual DeviceFeedback exchange(const SetPoints& setPoints) = 0;
 };
 

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: MIT
+
+#include "core/device/serial/serial_channel.h"
+
+#include <QDeadlineTimer>
+#include <QEventLoop>
+#include <QSerialPort>
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace hexapose {
+
+namespace {
+
+constexpr int kWriteTimeoutMs = 200; ///< a port that takes nothing for so long is as good as gone
+
+std::string realPath(const std::string& path) {
+    std::error_code error;
+    const std::filesystem::path real = std::filesystem::canonical(path, error);
+    if (error)
+        throw ChannelError(path + ": " + error.message());
+    return real.string();
+}
+
+} // namespace
+
+struct SerialChannel::Impl {
+    std::string path;
+    QEventLoop dispatcher; ///< gives a thread that Qt did not start the dispatcher QSerialPort needs
+    QSerialPort port;
+
+    void open(int baud);
+    [[noreturn]] void fail(const std::string& reason);
+    void checkOpen();
+};
+
+void SerialChannel::Impl::fail(const std::string& reason) {
+    if (port.isOpen())
+        port.close();
+    throw ChannelError(path + ": " + reason);
+}
+
+void SerialChannel::Impl::open(int baud) {
+    const std::string real = realPath(path);
+    if (::access(real.c_str(), R_OK | W_OK) != 0 && errno == EACCES)
+        fail("no permission. Add yourself to the group of serial ports (sudo usermod -aG dialout $USER), "
+             "then log in again");
+    port.setPortName(QString::fromStdString(real));
+    port.setBaudRate(baud);
+    port.setDataBits(QSerialPort::Data8);
+    port.setParity(QSerialPort::NoParity);
+    port.setStopBits(QSerialPort::OneStop);
+    port.setFlowControl(QSerialPort::NoFlowControl);
+    if (!port.open(QIODevice::ReadWrite)) {
+        if (port.error() == QSerialPort::PermissionError)
+            fail("another program has it open (" + port.errorString().toStdString() + ")");
+        fail(port.errorString().toStdString());
+    }
+    port.clear(); // what came before this connection is old
+    port.clearError();
+}
+
+void SerialChannel::Impl::checkOpen() {
+    if (!port.isOpen())
+        throw ChannelError(path + ": the port is closed");
+    switch (port.error()) {
+    case QSerialPort::NoError:
+    case QSerialPort::TimeoutError:
+        return;
+    default:
+        fail(port.errorString().toStdString());
+    }
+}
+
+SerialChannel::SerialChannel(const std::string& path, int baud) : m_impl(std::make_unique<Impl>()) {
+    m_impl->path = path;
+    m_impl->open(baud);
+}
+
+SerialChannel::~SerialChannel() = default;
+
+std::size_t SerialChannel::read(std::span<char> buffer, std::chrono::milliseconds wait) {
+    QSerialPort& port = m_impl->port;
+    if (port.isOpen() && port.bytesAvailable() == 0)
+        port.waitForReadyRead(static_cast<int>(wait.count()));
+    if (port.bytesAvailable() == 0)
+        m_impl->checkOpen(); // bytes that came before the port went are still good
+    const qint64 count = port.isOpen() ? port.read(buffer.data(), static_cast<qint64>(buffer.size())) : 0;
+    port.clearError();
+    return static_cast<std::size_t>(std::max<qint64>(count, 0));
+}
+
+void SerialChannel::write(std::string_view bytes) {
+    QSerialPort& port = m_impl->port;
+    m_impl->checkOpen();
+    if (port.write(bytes.data(), static_cast<qint64>(bytes.size())) < 0)
+        m_impl->fail(port.errorString().toStdString());
+    port.flush();
+    for (QDeadlineTimer deadline(kWriteTimeoutMs); port.bytesToWrite() > 0;) {
+        if (!port.waitForBytesWritten(static_cast<int>(deadline.remainingTime())) && deadline.hasExpired())
+            m_impl->fail("the port takes no bytes");
+        m_impl->checkOpen();
+    }
+    m_impl->checkOpen();
+}
+
+std::size_t SerialChannel::unsent() {
+    int queued = 0;
+    if (!m_impl->port.isOpen() || ::ioctl(m_impl->port.handle(), TIOCOUTQ, &queued) != 0)
+        return 0;
+    return static_cast<std::size_t>(std::max(queued, 0));
+}
+
+void SerialChannel::dropUnsent() {
+    if (m_impl->port.isOpen())
+        m_impl->port.clear(QSerialPort::Output);
+}
+
+} // namespace hexapose
