@@ -2,40 +2,42 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace hexapose {
 
 /// What the event list and the log's event column report. Words are stable; the screen translates them.
 enum class EventCode {
-    Connected,       ///< detail: controller name
-    ListenOnly,      ///< an unprotected sender of lengths
-    LinkLost,        ///< detail: the system's reason
-    DataStale,       ///< no valid measurement for value milliseconds
-    DataFresh,       ///< measurements are back
-    Referencing,     ///< reference asked for
+    Connected,   ///< detail: controller name
+    ListenOnly,  ///< an unprotected sender of lengths
+    LinkLost,    ///< detail: the system's reason
+    DataStale,   ///< no valid measurement for value milliseconds
+    DataFresh,   ///< measurements are back
+    Referencing, ///< reference asked for
     Referenced,
     Enabled,
     Disabled,
-    MoveStarted,     ///< value: planned duration, s
-    MoveRefused,     ///< detail: the verdict's word form, e.g. "leg 3 above max_mm"
-    Settled,         ///< value: s since the move started
-    NotSettled,      ///< value: s waited
+    MoveStarted, ///< value: planned duration, s
+    MoveRefused, ///< detail: the verdict's word form, e.g. "leg 3 above max_mm"
+    Settled,     ///< value: s since the move started
+    NotSettled,  ///< value: s waited
     StopRequested,
     StoppedByController, ///< detail: controller state letter
     StoppedOnStaleData,
-    StoppedOnSolver, ///< detail: solver status word
+    StoppedOnSolver,  ///< detail: solver status word
     StoppedOnRefusal, ///< detail: what the controller refused
     Cleared,
     ControllerRefused, ///< detail
-    ControllerFault, ///< detail: code and text
-    NoAnswer,        ///< detail: the request that got no answer
+    ControllerFault,   ///< detail: code and text
+    NoAnswer,          ///< detail: the request that got no answer
     ClockWentBack,
-    CommandRefused,  ///< detail: command and state, e.g. "run in stopped"
-    ReportSample,    ///< value: sample number
-    LogFailed,       ///< detail: the system's reason
-    LoopFailed,      ///< detail: the error that ended the control loop
+    CommandRefused,    ///< detail: command and state, e.g. "run in stopped"
+    ReportSample,      ///< value: sample number
+    LogFailed,         ///< detail: the system's reason
+    LoopFailed,        ///< detail: the error that ended the control loop
     PreparationFailed, ///< a reference or enable before a move did not come about; detail: which
 };
 
@@ -47,7 +49,15 @@ struct Event {
 
 /// "move-started", ...: stable identifier of an event.
 std::string_view toWord(EventCode code);
-/// One field of the log: "word", "word value", "word value detail".
+std::optional<EventCode> eventCodeFromWord(std::string_view word);
+/// "word", then the value for the codes that carry one, then the detail on the same line: "settled 1.25",
+/// "move-refused leg 3 above max_mm".
 std::string formatEvent(const Event& event);
+
+/// One field of the log: the events of a cycle, separated by "; ".
+std::string formatEvents(const std::vector<Event>& events);
+/// The events of such a field. Text that begins with no known word belongs to the detail of the event before
+/// it, and is passed over at the beginning.
+std::vector<Event> parseEvents(std::string_view field);
 
 } // namespace hexapose

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/geometry/platform_geometry.h"
+#include "core/record/log_metadata.h"
 #include "core/record/snapshot.h"
 
+#include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -12,18 +14,11 @@
 
 namespace hexapose {
 
-/// What stands beside the log, in a file of the same name with the ending .toml.
-struct LogMetadata {
-    PlatformGeometry platform;
-    std::string modelFingerprint; ///< empty: no model
-    std::string solver;           ///< method word
-    std::string programVersion;
-    std::string port;             ///< "virtual" or a path
-};
-
-/// Writes one CSV a session from a thread of its own, flushed at least every 100 ms. Opening throws InputError (an
-/// existing file is never overwritten: "run.csv: exists already"); later write errors do not throw, they are told by
-/// failure().
+/// Writes one CSV a session from a thread of its own, handed to the system at least every 100 ms. Opening
+/// throws InputError (an existing file is never overwritten: "run.csv: exists already"); later write errors
+/// do not throw, they are told by failure(). Writing is tried again until it works; meanwhile rows wait in a
+/// queue of fixed size, and those that find it full are lost and counted. The log itself says so: an event
+/// log-failed in the last row before the gap.
 class LogWriter {
 public:
     LogWriter(const std::filesystem::path& csvFile, const LogMetadata& metadata);
@@ -31,10 +26,13 @@ public:
     LogWriter(const LogWriter&) = delete;
     LogWriter& operator=(const LogWriter&) = delete;
 
-    /// Cheap; called by the loop. Decides by itself which cycles become rows: every fresh measurement, every event,
-    /// every change of state, and one row in 100 ms otherwise.
+    /// Cheap, allocates nothing in an ordinary cycle; called by one thread. Decides by itself which cycles
+    /// become rows: every fresh measurement, every event, every change of state, and one row in 100 ms
+    /// otherwise.
     void append(const Snapshot& snapshot);
-    std::uint64_t rowCount() const;
+    std::uint64_t rowCount() const;  ///< rows taken, not counting lost ones
+    std::uint64_t lostCount() const; ///< rows that found the queue full
+    /// Why the log is not complete, or not being written at present; empty while all is well.
     std::optional<std::string> failure() const;
     const std::filesystem::path& file() const;
 
@@ -45,6 +43,7 @@ private:
 
 /// dir/hexapose-YYYYMMDD-HHMMSS.csv in local time, with -2, -3 ... when taken. Creates the directory; throws
 /// InputError when that fails.
-std::filesystem::path newLogFile(const std::filesystem::path& directory, std::chrono::system_clock::time_point now);
+std::filesystem::path newLogFile(const std::filesystem::path& directory,
+                                 std::chrono::system_clock::time_point now);
 
 } // namespace hexapose

@@ -18,33 +18,33 @@ namespace hexapose {
 
 /// One cycle of the control loop as a value: all that the screen and the log know. The loop stamps time once.
 struct Snapshot {
-    std::chrono::nanoseconds time{0};                     ///< monotonic, since the session's start
-    std::chrono::system_clock::time_point wallTime;       ///< for people
+    std::chrono::nanoseconds time{0};               ///< monotonic, since the session's start
+    std::chrono::system_clock::time_point wallTime; ///< for people
     std::uint64_t cycle = 0;
     RunState state = RunState::Disconnected;
     LinkState link = LinkState::Connecting;
     ControllerState controllerState = ControllerState::Unknown;
     bool protectedLink = false;
 
-    bool fresh = false;                                   ///< a new measurement arrived in this cycle
-    bool stale = true;                                    ///< the last one is too old to be used
-    std::chrono::nanoseconds age{0};                      ///< of the last measurement; 0 before the first
-    std::optional<LegLengths> measuredLengths;            ///< of the last measurement, m
-    std::optional<LegLengths> commandedLengths;           ///< set-point in force, m
-    std::optional<Pose> targetPose;                       ///< pose of the set-point in force (on the path while moving)
-    std::optional<Pose> goalPose;                         ///< where the present or last Run leads
-    std::optional<Pose> measuredPose;                     ///< of the last measurement; empty unless the solution is usable
-    SolveStatus status = SolveStatus::InvalidInput;       ///< of the last measurement's solution
+    bool fresh = false;                         ///< a new measurement arrived in this cycle
+    bool stale = true;                          ///< the last one is too old to be used
+    std::chrono::nanoseconds age{0};            ///< of the last measurement; 0 before the first
+    std::optional<LegLengths> measuredLengths;  ///< of the last measurement, m
+    std::optional<LegLengths> commandedLengths; ///< set-point in force, m
+    std::optional<Pose> targetPose;             ///< pose of the set-point in force (on the path while moving)
+    std::optional<Pose> goalPose;               ///< where the present or last Run leads
+    std::optional<Pose> measuredPose; ///< of the last measurement; empty unless the solution is usable
+    SolveStatus status = SolveStatus::InvalidInput; ///< of the last measurement's solution
     int iterations = 0;
-    double residual = 0.0;                                ///< m
+    double residual = 0.0; ///< m
     std::chrono::nanoseconds solveTime{0};
 
-    double feedbackRate = 0.0;                            ///< Hz, over about the last second
-    std::chrono::milliseconds period{0};                  ///< feedback period in force; 0: not known
-    std::optional<double> minLength;                      ///< the controller's own limits, m, once known
+    double feedbackRate = 0.0;           ///< Hz, over about the last second
+    std::chrono::milliseconds period{0}; ///< feedback period in force; 0: not known
+    std::optional<double> minLength;     ///< the controller's own limits, m, once known
     std::optional<double> maxLength;
     LinkCounters counters;
-    std::vector<Event> events;                            ///< empty in an ordinary cycle
+    std::vector<Event> events; ///< empty in an ordinary cycle
 };
 
 } // namespace hexapose

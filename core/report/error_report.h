@@ -13,21 +13,25 @@
 
 namespace hexapose {
 
-/// Statistics of the absolute errors of each coordinate; m and rad, order x y z alpha beta gamma.
+/// Statistics of the errors of each coordinate; m and rad, order x y z alpha beta gamma. Not a number when
+/// there is nothing to take them over: no error would look like a perfect one.
 struct ErrorStatistics {
-    PoseVector mean = PoseVector::Zero();    ///< signed mean
+    PoseVector mean = PoseVector::Zero(); ///< signed mean
     PoseVector rms = PoseVector::Zero();
     PoseVector maximum = PoseVector::Zero(); ///< of the absolute value
 };
 
-/// One row of the report, as Table 5: reference, solved, error, and what the length resolution alone explains.
+/// One row of the report, as Table 5: reference, solved, error, and what the length resolution alone
+/// explains.
 struct ErrorRow {
     int number = 0; ///< 1, 2, ...
     SettledSample sample;
     ForwardResult solution;
-    PoseVector error = PoseVector::Zero();          ///< solved - target, angles wrapped to +-pi
-    PoseVector predictedBound = PoseVector::Zero(); ///< sum_i |J^-1|_ki r/2: worst case of rounding to r
-    PoseVector predictedSigma = PoseVector::Zero(); ///< standard deviation of the same rounding, r/sqrt(12) a leg
+    PoseVector error = PoseVector::Zero(); ///< solved - target, angles wrapped to +-pi
+    /// sum_i |J^-1|_ki r/2: worst case of rounding to r. Infinite where the target is singular.
+    PoseVector predictedBound = PoseVector::Zero();
+    PoseVector predictedSigma =
+        PoseVector::Zero(); ///< standard deviation of the same rounding, r/sqrt(12) a leg
 };
 
 /// The error report of Figure 8: rows, statistics over the rows whose solution is usable.
@@ -40,16 +44,25 @@ struct ErrorReport {
     ErrorStatistics statistics;
 };
 
+/// The largest predicted bound of each coordinate over the samples.
+PoseVector largestPredictedBound(const ErrorReport& report);
+
+/// Solves each sample (from home, as the method does; from the target where that gives nothing usable) and
+/// compares.
 ErrorReport makeErrorReport(const PlatformGeometry& geometry, const ForwardSolver& solver,
                             const std::vector<SettledSample>& samples, double resolution = 1e-4);
 
-/// errors.csv: one row a sample: number, target, solved, error, predicted bound and sigma (x_mm ... and *_deg), status,
-/// iterations, residual_mm, mean lengths; then nothing else. SI columns error_*_m / error_*_rad are there too.
+/// errors.csv: one row a sample. Columns: number; target (x_target_mm ... gamma_target_deg); solved (x_mm ...
+/// gamma_deg); error in the same units (x_error_mm ... gamma_error_deg) and in SI (error_x_m ...
+/// error_gamma_rad); predicted bound and standard deviation (x_bound_mm ..., x_sigma_mm ...); status,
+/// iterations, residual_mm; mean lengths l1_mm ... l6_mm, measurements, start_s. Solved and error are empty
+/// without a usable solution.
 std::string formatErrorCsv(const ErrorReport& report);
 
 /// The default list of attitudes: `count` poses, seeded, uniform within +-range, every one inside the strokes
-/// (drawn again otherwise). Ranges in m and rad.
-std::vector<Pose> randomAttitudes(const PlatformGeometry& geometry, int count, double offsetRange, double angleRange,
-                                  std::uint64_t seed);
+/// and clear of singularities (drawn again otherwise). Ranges in m and rad. Throws InputError for a range
+/// that is negative or not finite, and when the strokes leave nothing of it.
+std::vector<Pose> randomAttitudes(const PlatformGeometry& geometry, int count, double offsetRange,
+                                  double angleRange, std::uint64_t seed);
 
 } // namespace hexapose

@@ -19,8 +19,9 @@ struct SettledSample {
     std::chrono::nanoseconds start{0};           ///< session time of the first
 };
 
-/// Finds settled attitudes in a stream of snapshots, live or read from a log: after a move (state moving or settling)
-/// the first `window` of fresh measurements in state enabled with the same goal are averaged.
+/// Finds settled attitudes in a stream of snapshots, live or read from a log: after a move (state moving or
+/// settling) the first `window` of fresh measurements in state enabled with the same goal are averaged. When
+/// the platform is sent on, or leaves that state, before the window is over, half of it is enough.
 class SettledSampler {
 public:
     explicit SettledSampler(std::chrono::nanoseconds window = std::chrono::seconds(1)) : m_window(window) {}
@@ -30,6 +31,8 @@ public:
     std::optional<SettledSample> finish();
 
 private:
+    SettledSample close();
+
     std::chrono::nanoseconds m_window;
     bool m_moved = false;
     std::optional<SettledSample> m_open;

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/geometry/platform_geometry.h"
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace hexapose {
+
+/// What stands beside the log, in a file of the same name with the ending .toml.
+struct LogMetadata {
+    PlatformGeometry platform;
+    std::string modelFingerprint; ///< empty: no model
+    std::string solver;           ///< method word
+    std::string programVersion;
+    std::string port; ///< "virtual" or a path
+};
+
+/// The file beside a log that says what it belongs to: run.csv -> run.toml.
+std::filesystem::path logMetadataFile(const std::filesystem::path& csvFile);
+/// Its text; the platform stands under [platform] as in a platform file.
+std::string formatLogMetadata(const LogMetadata& metadata, std::chrono::system_clock::time_point start);
+
+/// The same read back. A file by another program may hold less.
+struct RecordedMetadata {
+    std::optional<PlatformGeometry> platform;
+    std::string modelFingerprint;
+    std::string solver;
+    std::string programVersion;
+    std::string port;
+};
+/// Throws InputError "file:line: cause" for bad TOML or a platform that cannot be used.
+RecordedMetadata readLogMetadata(const std::filesystem::path& tomlFile);
+
+} // namespace hexapose

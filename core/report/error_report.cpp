@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: MIT
+
+#include "core/report/error_report.h"
+
+#include "core/kinematics/jacobian.h"
+
+#include <Eigen/LU>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace hexapose {
+
+namespace {
+
+double wrapped(double angle) {
+    return std::remainder(angle, 2.0 * std::numbers::pi);
+}
+
+ForwardResult solve(const ForwardSolver& solver, const SettledSample& sample) {
+    const ForwardResult fromHome = solver.solve(sample.meanLengths, Pose{});
+    if (fromHome.isUsable())
+        return fromHome;
+    const ForwardResult fromTarget = solver.solve(sample.meanLengths, sample.target);
+    return fromTarget.isUsable() ? fromTarget : fromHome;
+}
+
+/// What rounding every length to r does to the pose, to first order: dX = J^-1 dL.
+void predict(const PlatformGeometry& geometry, double resolution, ErrorRow& row) {
+    const Eigen::FullPivLU<Jacobian> lu(analyticJacobian(geometry, row.sample.target));
+    const Jacobian inverse = lu.isInvertible() ? Jacobian(lu.inverse())
+                                               : Jacobian::Constant(std::numeric_limits<double>::infinity());
+    row.predictedBound = inverse.cwiseAbs().rowwise().sum() * (resolution / 2.0);
+    row.predictedSigma = inverse.rowwise().norm() * (resolution / std::sqrt(12.0));
+}
+
+ErrorStatistics statisticsOf(const std::vector<ErrorRow>& rows) {
+    ErrorStatistics statistics;
+    double count = 0.0;
+    for (const ErrorRow& row : rows) {
+        if (!row.solution.isUsable())
+            continue;
+        count += 1.0;
+        statistics.mean += row.error;
+        statistics.rms += row.error.cwiseAbs2();
+        statistics.maximum = statistics.maximum.cwiseMax(row.error.cwiseAbs());
+    }
+    if (count == 0.0)
+        statistics.maximum.setConstant(std::numeric_limits<double>::quiet_NaN());
+    statistics.mean /= count; // 0 / 0 is the "nothing to take it over" that is meant
+    statistics.rms = (statistics.rms / count).cwiseSqrt();
+    return statistics;
+}
+
+} // namespace
+
+ErrorReport makeErrorReport(const PlatformGeometry& geometry, const ForwardSolver& solver,
+                            const std::vector<SettledSample>& samples, double resolution) {
+    ErrorReport report;
+    report.platformName = geometry.name;
+    report.solver = solver.name();
+    report.resolution = resolution;
+    for (const SettledSample& sample : samples) {
+        ErrorRow row;
+        row.number = static_cast<int>(report.rows.size()) + 1;
+        row.sample = sample;
+        row.solution = solve(solver, sample);
+        predict(geometry, resolution, row);
+        if (row.solution.isUsable()) {
+            row.error = row.solution.pose.toVector() - sample.target.toVector();
+            row.error.tail<3>() = row.error.tail<3>().unaryExpr(&wrapped).eval();
+        } else {
+            row.error.setConstant(std::numeric_limits<double>::quiet_NaN());
+            ++report.failed;
+        }
+        report.rows.push_back(row);
+    }
+    report.statistics = statisticsOf(report.rows);
+    return report;
+}
+
+PoseVector largestPredictedBound(const ErrorReport& report) {
+    PoseVector largest = PoseVector::Zero();
+    for (const ErrorRow& row : report.rows)
+        largest = largest.cwiseMax(row.predictedBound);
+    return largest;
+}
+
+} // namespace hexapose
