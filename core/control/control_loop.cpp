@@ -111,6 +111,8 @@ void ControlLoop::Impl::advanceMove(Clock::time_point time) {
         raise(std::move(*event));
     if (move->phase() == JointMove::Phase::Failed)
         return dropMotion();
+    if (move->phase() == JointMove::Phase::Settled)
+        return move.reset(); // the set-point is held from here on
     if (move->phase() != JointMove::Phase::Ready || feedback.state != ControllerState::Enabled || !measuredPose)
         return;
     // Referencing may have moved the legs: judge the path again from where the platform is now.

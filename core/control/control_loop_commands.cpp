@@ -28,7 +28,7 @@ void ControlLoop::Impl::on(const RunCommand& command, Clock::time_point time) {
     const RunState present = state();
     const bool canStart = present == RunState::Enabled || present == RunState::Settling ||
                           present == RunState::Disabled || present == RunState::Unreferenced;
-    const bool preparing = move && !moving() && move->phase() != JointMove::Phase::Settled;
+    const bool preparing = move && !moving();
     if (!takesCommands() || !canStart || preparing)
         return refuse("run");
     if (monitor.stale() || !measuredPose) {
