@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/common/status_text.h"
+
+#include "core/geometry/units.h"
+#include "core/kinematics/forward_methods.h"
+
+#include <QCoreApplication>
+
+#include <cmath>
+#include <numbers>
+
+namespace hexapose {
+
+namespace {
+struct StatusText {
+    Q_DECLARE_TR_FUNCTIONS(hexapose::StatusText)
+};
+} // namespace
+
+QString stateText(RunState state) {
+    switch (state) {
+    case RunState::Disconnected:
+        return StatusText::tr("Disconnected");
+    case RunState::Unreferenced:
+        return StatusText::tr("Not referenced");
+    case RunState::Disabled:
+        return StatusText::tr("Disabled");
+    case RunState::Enabled:
+        return StatusText::tr("Enabled");
+    case RunState::Moving:
+        return StatusText::tr("Moving");
+    case RunState::Settling:
+        return StatusText::tr("Settling");
+    case RunState::Stopped:
+        return StatusText::tr("Stopped");
+    case RunState::Fault:
+        return StatusText::tr("Fault");
+    }
+    return {};
+}
+
+Tone stateTone(RunState state) {
+    switch (state) {
+    case RunState::Enabled:
+    case RunState::Moving:
+    case RunState::Settling:
+        return Tone::Good;
+    case RunState::Stopped:
+        return Tone::Warn;
+    case RunState::Fault:
+        return Tone::Bad;
+    case RunState::Disconnected:
+    case RunState::Unreferenced:
+    case RunState::Disabled:
+        break;
+    }
+    return Tone::Idle;
+}
+
+QString solveStatusText(SolveStatus status) {
+    switch (status) {
+    case SolveStatus::Converged:
+        return StatusText::tr("Converged");
+    case SolveStatus::IterationLimit:
+        return StatusText::tr("Iteration limit reached");
+    case SolveStatus::Singular:
+        return StatusText::tr("Singular");
+    case SolveStatus::NoSolution:
+        return StatusText::tr("No pose has these lengths");
+    case SolveStatus::InvalidInput:
+        return StatusText::tr("Invalid lengths");
+    case SolveStatus::OutsideModel:
+        return StatusText::tr("Outside the model's range");
+    case SolveStatus::OtherBranch:
+        return StatusText::tr("Pose of another assembly");
+    }
+    return {};
+}
+
+QString solverTitle(std::string_view word) {
+    const ForwardMethod* method = findForwardMethod(word);
+    const std::string_view title = method != nullptr ? method->title : word;
+    return QString::fromUtf8(title.data(), static_cast<qsizetype>(title.size()));
+}
+
+const std::array<CoordinateText, 6>& coordinateTexts() {
+    static const QString mm = QStringLiteral("mm");
+    static const QString degree = QString::fromUtf8("\u00b0");
+    static const std::array<CoordinateText, 6> texts = {{
+        {QStringLiteral("x"), QStringLiteral("x"), mm, false},
+        {QStringLiteral("y"), QStringLiteral("y"), mm, false},
+        {QStringLiteral("z"), QStringLiteral("z"), mm, false},
+        {QString::fromUtf8("\u03b1"), QStringLiteral("alpha"), degree, true},
+        {QString::fromUtf8("\u03b2"), QStringLiteral("beta"), degree, true},
+        {QString::fromUtf8("\u03b3"), QStringLiteral("gamma"), degree, true},
+    }};
+    return texts;
+}
+
+double shownCoordinate(int coordinate, double si) {
+    return coordinate < 3 ? mmFromMetres(si) : degFromRadians(si);
+}
+
+double siCoordinate(int coordinate, double shown) {
+    return coordinate < 3 ? metresFromMm(shown) : radiansFromDeg(shown);
+}
+
+double shownError(int coordinate, double measured, double target) {
+    const double error = measured - target;
+    return shownCoordinate(coordinate, coordinate < 3 ? error : std::remainder(error, 2.0 * std::numbers::pi));
+}
+
+} // namespace hexapose

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/kinematics/forward_solver.h"
+#include "core/record/run_state.h"
+#include "ui/common/theme.h"
+
+#include <QString>
+
+#include <array>
+#include <string_view>
+
+namespace hexapose {
+
+QString stateText(RunState state);
+Tone stateTone(RunState state);
+QString solveStatusText(SolveStatus status);
+/// "MPR3-NR" of "mpr3-nr"; the word itself when it is not known.
+QString solverTitle(std::string_view word);
+
+/// The six pose coordinates in their usual order: how the screen writes them, how they are called where a screen
+/// reader speaks them ("alpha"), and their unit.
+struct CoordinateText {
+    QString symbol;
+    QString word;
+    QString unit;
+    bool angle;
+};
+const std::array<CoordinateText, 6>& coordinateTexts();
+
+/// From SI to what the screen shows: mm or degrees.
+double shownCoordinate(int coordinate, double si);
+double siCoordinate(int coordinate, double shown);
+/// measured - target as shown; angles wrapped to +-180 degrees.
+double shownError(int coordinate, double measured, double target);
+
+} // namespace hexapose

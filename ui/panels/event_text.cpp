@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/event_text.h"
+
+#include "core/geometry/number_text.h"
+#include "core/kinematics/forward_solver.h"
+#include "core/record/run_state.h"
+#include "ui/common/status_text.h"
+#include "ui/panels/verdict_text.h"
+
+#include <QCoreApplication>
+
+namespace hexapose {
+
+namespace {
+
+struct EventWords {
+    Q_DECLARE_TR_FUNCTIONS(hexapose::EventText)
+};
+
+QString fixed(double value, int decimals) { return QString::fromStdString(formatFixed(value, decimals)); }
+QString detailOf(const Event& event) { return QString::fromStdString(event.detail); }
+
+/// "cause: detail", or the cause alone.
+QString withDetail(const QString& cause, const QString& detail) {
+    return detail.isEmpty() ? cause : EventWords::tr("%1: %2").arg(cause, detail);
+}
+
+QString solverDetail(const Event& event) {
+    const auto status = solveStatusFromWord(event.detail);
+    return status ? solveStatusText(*status) : detailOf(event);
+}
+
+QString moveRefusal(const Event& event) {
+    if (event.detail == "stale data") {
+        return EventWords::tr("the last measurement is too old");
+    }
+    const auto status = solveStatusFromWord(event.detail);
+    return status && *status != SolveStatus::InvalidInput ? solveStatusText(*status)
+                                                          : verdictTextFromWords(detailOf(event));
+}
+
+/// "run in stopped": the state in the language of the screen.
+QString refusalDetail(const Event& event) {
+    const std::size_t in = event.detail.rfind(" in ");
+    const auto state = in == std::string::npos ? std::nullopt : runStateFromWord(event.detail.substr(in + 4));
+    return state ? stateText(*state) : detailOf(event);
+}
+
+QString controllerStateDetail(const Event& event) {
+    if (event.detail == "S") {
+        return stateText(RunState::Stopped);
+    }
+    if (event.detail == "F") {
+        return stateText(RunState::Fault);
+    }
+    if (event.detail == "U") {
+        return stateText(RunState::Unreferenced);
+    }
+    return event.detail == "D" ? stateText(RunState::Disabled) : detailOf(event);
+}
+
+EventText linkText(const Event& event) {
+    switch (event.code) {
+    case EventCode::Connected:
+        return {withDetail(EventWords::tr("Connected"), detailOf(event)), {}, Tone::Good};
+    case EventCode::ListenOnly:
+        return {EventWords::tr("An unprotected sender of lengths"),
+                EventWords::tr("Its values are shown, but it takes no commands and errors on the line stay unseen."),
+                Tone::Warn};
+    case EventCode::LinkLost:
+        return {withDetail(EventWords::tr("The link is lost"), detailOf(event)),
+                EventWords::tr("Check the cable and the port; the console keeps trying."), Tone::Bad};
+    case EventCode::DataStale:
+        return {EventWords::tr("No valid measurement for %1 ms").arg(fixed(event.value, 0)),
+                EventWords::tr("The values shown are old. Check the controller and the line."), Tone::Bad};
+    case EventCode::DataFresh:
+        return {EventWords::tr("Measurements are back"), {}, Tone::Good};
+    case EventCode::ClockWentBack:
+        return {EventWords::tr("The controller's clock went back"),
+                EventWords::tr("It was probably restarted. Reference it again if it asks for it."), Tone::Warn};
+    case EventCode::NoAnswer:
+        return {withDetail(EventWords::tr("The controller did not answer"), detailOf(event)),
+                EventWords::tr("Try again; if it stays silent, check the controller and the line."), Tone::Warn};
+    default:
+        return {};
+    }
+}
+
+EventText stopText(const Event& event) {
+    const QString clear = EventWords::tr("Find the cause, press Clear, then Run.");
+    switch (event.code) {
+    case EventCode::StopRequested:
+        return {EventWords::tr("Stop"), EventWords::tr("Press Clear before the next Run."), Tone::Warn};
+    case EventCode::StoppedByController:
+        return {withDetail(EventWords::tr("The controller stopped the move"), controllerStateDetail(event)), clear,
+                Tone::Bad};
+    case EventCode::StoppedOnStaleData:
+        return {EventWords::tr("Stopped: the measurements stayed away"), clear, Tone::Bad};
+    case EventCode::StoppedOnSolver:
+        return {withDetail(EventWords::tr("Stopped: the lengths gave no usable pose"), solverDetail(event)), clear,
+                Tone::Bad};
+    case EventCode::StoppedOnRefusal:
+        return {withDetail(EventWords::tr("Stopped: the controller refused a set-point"), detailOf(event)), clear,
+                Tone::Bad};
+    case EventCode::LoopFailed:
+        return {withDetail(EventWords::tr("The control loop ended"), detailOf(event)),
+                EventWords::tr("Disconnect and connect again; keep the log for the maker."), Tone::Bad};
+    case EventCode::ControllerFault:
+        return {withDetail(EventWords::tr("Fault of the controller"), detailOf(event)),
+                EventWords::tr("Remove the cause at the machine, then press Clear."), Tone::Bad};
+    default:
+        return {};
+    }
+}
+
+EventText refusalText(const Event& event) {
+    switch (event.code) {
+    case EventCode::MoveRefused:
+        return {withDetail(EventWords::tr("The move was refused"), moveRefusal(event)),
+                EventWords::tr("Nothing moved. Change the target."), Tone::Warn};
+    case EventCode::PreparationFailed:
+        return {withDetail(EventWords::tr("The move did not begin: the platform could not be made ready"),
+                           detailOf(event)),
+                EventWords::tr("Press Reference or Enable and see what the controller answers."), Tone::Warn};
+    case EventCode::ControllerRefused:
+        return {withDetail(EventWords::tr("The controller refused"), detailOf(event)),
+                EventWords::tr("See the controller's manual for the code."), Tone::Warn};
+    case EventCode::CommandRefused:
+        return {withDetail(EventWords::tr("The command cannot be carried out in this state"), refusalDetail(event)),
+                EventWords::tr("After a stop or a fault press Clear first."), Tone::Warn};
+    case EventCode::NotSettled:
+        return {EventWords::tr("The legs had not settled after %1 s").arg(fixed(event.value, 1)),
+                EventWords::tr("Look at the leg errors: load, friction or a drive's gain may be the cause."),
+                Tone::Warn};
+    case EventCode::LogFailed:
+        return {withDetail(EventWords::tr("The log cannot be written"), detailOf(event)),
+                EventWords::tr("Free space on the disk, then connect again."), Tone::Bad};
+    default:
+        return {};
+    }
+}
+
+EventText progressText(const Event& event) {
+    switch (event.code) {
+    case EventCode::Referencing:
+        return {EventWords::tr("Referencing the legs"), {}, Tone::Idle};
+    case EventCode::Referenced:
+        return {EventWords::tr("The legs are referenced"), {}, Tone::Good};
+    case EventCode::Enabled:
+        return {EventWords::tr("Enabled"), {}, Tone::Good};
+    case EventCode::Disabled:
+        return {EventWords::tr("Disabled"), {}, Tone::Idle};
+    case EventCode::MoveStarted:
+        return {EventWords::tr("Move started, %1 s planned").arg(fixed(event.value, 1)), {}, Tone::Idle};
+    case EventCode::Settled:
+        return {EventWords::tr("Settled after %1 s").arg(fixed(event.value, 1)), {}, Tone::Good};
+    case EventCode::Cleared:
+        return {EventWords::tr("Cleared"), EventWords::tr("Press Run when it is safe to move."), Tone::Idle};
+    case EventCode::ReportSample:
+        return {EventWords::tr("Sample %1 of the report taken").arg(fixed(event.value, 0)), {}, Tone::Idle};
+    default:
+        return {};
+    }
+}
+
+} // namespace
+
+EventText eventText(const Event& event) {
+    for (const auto& group : {linkText, stopText, refusalText, progressText}) {
+        if (EventText text = group(event); !text.cause.isEmpty()) {
+            return text;
+        }
+    }
+    const std::string_view word = toWord(event.code);
+    return {withDetail(QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size())), detailOf(event)), {},
+            Tone::Idle};
+}
+
+} // namespace hexapose

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/platform_geometry.h"
+#include "core/record/snapshot.h"
+#include "ui/common/card.h"
+
+#include <array>
+
+class QGridLayout;
+
+namespace hexapose {
+
+class LegBar;
+class ReadOut;
+
+/// The six legs: commanded, measured, error, and where each stands within its stroke.
+class LegsPanel final : public Card {
+    Q_OBJECT
+public:
+    explicit LegsPanel(const PlatformGeometry& geometry, QWidget* parent = nullptr);
+    void showSnapshot(const Snapshot& snapshot);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    struct Row {
+        ReadOut* commanded;
+        ReadOut* measured;
+        ReadOut* error;
+        LegBar* bar;
+    };
+    void addRow(QGridLayout& grid, int leg);
+    void retranslate();
+
+    PlatformGeometry m_geometry;
+    std::array<Row, kLegCount> m_rows{};
+    std::array<QLabel*, 4> m_heads{};
+};
+
+} // namespace hexapose

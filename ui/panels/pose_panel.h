@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/platform_geometry.h"
+#include "core/record/snapshot.h"
+#include "ui/common/card.h"
+
+#include <array>
+
+class QGridLayout;
+
+namespace hexapose {
+
+class ReadOut;
+
+/// The pose: the target on the path, the measured one, the error, and the error that the resolution of the lengths
+/// alone explains. Nothing is shown without a usable solution.
+class PosePanel final : public Card {
+    Q_OBJECT
+public:
+    explicit PosePanel(const PlatformGeometry& geometry, QWidget* parent = nullptr);
+    void showSnapshot(const Snapshot& snapshot);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    struct Row {
+        ReadOut* target;
+        ReadOut* measured;
+        ReadOut* error;
+        ReadOut* expected;
+    };
+    void addRow(QGridLayout& grid, int coordinate);
+    void retranslate();
+
+    PlatformGeometry m_geometry;
+    std::array<Row, 6> m_rows{};
+    std::array<QLabel*, 4> m_heads{};
+};
+
+} // namespace hexapose

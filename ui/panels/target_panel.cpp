@@ -1,0 +1,227 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/target_panel.h"
+
+#include "core/geometry/number_text.h"
+#include "ui/common/pose_field.h"
+#include "ui/common/read_out.h"
+#include "ui/common/status_text.h"
+#include "ui/common/theme.h"
+#include "ui/panels/axis_range.h"
+#include "ui/panels/verdict_text.h"
+
+#include <QEvent>
+#include <QGridLayout>
+#include <QPushButton>
+#include <QShortcut>
+#include <QVBoxLayout>
+
+namespace hexapose {
+
+namespace {
+
+constexpr int kJudgeEveryMs = 250;
+constexpr int kValidityLines = 3;
+
+QString rangeText(const std::pair<double, double>& range, int coordinate) {
+    return QString::fromUtf8("%1 \u2026 %2")
+        .arg(QString::fromStdString(formatFixed(shownCoordinate(coordinate, range.first), 1)),
+             QString::fromStdString(formatFixed(shownCoordinate(coordinate, range.second), 1)));
+}
+
+} // namespace
+
+TargetPanel::TargetPanel(const PlatformGeometry& geometry, QWidget* parent)
+    : Card(parent), m_geometry(geometry), m_limits(motionLimits(geometry, {}, {})) {
+    build();
+    setTarget(Pose{});
+    setConnected(false);
+    retranslate();
+    judge();
+}
+
+void TargetPanel::build() {
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(8);
+    grid->setVerticalSpacing(5);
+    m_rangeTitle = makeMutedLabel(this, Qt::AlignRight | Qt::AlignVCenter);
+    grid->addWidget(m_rangeTitle, 0, 1, 1, 3);
+    for (int i = 0; i < 6; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        const CoordinateText& text = coordinateTexts()[at];
+        auto* field = new PoseField(this);
+        m_fields[at] = field;
+        connect(field, &PoseField::edited, this, &TargetPanel::judge);
+        auto* label = new QLabel(text.symbol, this);
+        label->setMinimumWidth(16);
+        m_ranges[at] = makeMutedLabel(this, Qt::AlignRight | Qt::AlignVCenter);
+        m_ranges[at]->setMinimumWidth(fontMetrics().horizontalAdvance(QString::fromUtf8("-000.0 \u2026 000.0")));
+        grid->addWidget(label, i + 1, 0);
+        grid->addWidget(field, i + 1, 1);
+        grid->addWidget(makeMutedLabel(this), i + 1, 2);
+        qobject_cast<QLabel*>(grid->itemAtPosition(i + 1, 2)->widget())->setText(text.unit);
+        grid->addWidget(m_ranges[at], i + 1, 3);
+    }
+    grid->setColumnStretch(1, 1);
+    body()->addLayout(grid);
+
+    auto* validity = new QHBoxLayout;
+    m_lamp = makeLamp(this);
+    m_validity = new TextReadOut(kValidityLines, this);
+    validity->addWidget(m_lamp, 0, Qt::AlignTop);
+    validity->addWidget(m_validity, 1);
+    validity->setContentsMargins(0, 2, 0, 0);
+    body()->addLayout(validity);
+
+    m_run = new QPushButton(this);
+    m_run->setObjectName(QStringLiteral("primary"));
+    m_stop = new QPushButton(this);
+    m_stop->setObjectName(QStringLiteral("stop"));
+    m_reset = new QPushButton(this);
+    m_copy = new QPushButton(this);
+    auto* buttons = new QGridLayout;
+    buttons->setSpacing(6);
+    buttons->addWidget(m_run, 0, 0);
+    buttons->addWidget(m_stop, 0, 1);
+    buttons->addWidget(m_reset, 1, 0);
+    buttons->addWidget(m_copy, 1, 1);
+    body()->addLayout(buttons);
+    for (QPushButton* button : {m_run, m_stop}) {
+        button->setMinimumHeight(38);
+    }
+
+    connect(m_run, &QPushButton::clicked, this, &TargetPanel::run);
+    connect(m_stop, &QPushButton::clicked, this, &TargetPanel::stopRequested);
+    connect(m_reset, &QPushButton::clicked, this, [this] { setTarget(Pose{}); });
+    connect(m_copy, &QPushButton::clicked, this, [this] {
+        if (m_measured) {
+            setTarget(*m_measured);
+        }
+    });
+    auto* stopKey = new QShortcut(QKeySequence(Qt::Key_Escape), this);
+    stopKey->setContext(Qt::ApplicationShortcut);
+    connect(stopKey, &QShortcut::activated, this, &TargetPanel::stopRequested);
+}
+
+void TargetPanel::setConnected(bool connected) {
+    m_connected = connected;
+    m_run->setEnabled(connected);
+    if (!connected) {
+        m_measured.reset();
+        m_limits = motionLimits(m_geometry, {}, {});
+        judge();
+    }
+    m_copy->setEnabled(m_measured.has_value());
+}
+
+void TargetPanel::showSnapshot(const Snapshot& snapshot) {
+    const bool live = !snapshot.stale && snapshot.measuredPose;
+    const bool had = m_measured.has_value();
+    m_measured = live ? snapshot.measuredPose : std::nullopt;
+    m_limits = motionLimits(m_geometry, snapshot.minLength, snapshot.maxLength);
+    m_copy->setEnabled(m_measured.has_value());
+    if (had != m_measured.has_value() || !m_sinceJudged.isValid() || m_sinceJudged.elapsed() > kJudgeEveryMs) {
+        judge();
+    }
+}
+
+void TargetPanel::setTarget(const Pose& pose) {
+    const PoseVector si = pose.toVector();
+    for (int i = 0; i < 6; ++i) {
+        m_fields[static_cast<std::size_t>(i)]->setValue(shownCoordinate(i, si[i]));
+    }
+    judge();
+}
+
+std::optional<Pose> TargetPanel::target() const {
+    PoseVector si;
+    for (int i = 0; i < 6; ++i) {
+        const PoseField& field = *m_fields[static_cast<std::size_t>(i)];
+        const auto typed = parseNumber(field.text().toStdString());
+        if (!typed) {
+            return std::nullopt;
+        }
+        si[i] = siCoordinate(i, *typed);
+    }
+    return Pose::fromVector(si);
+}
+
+void TargetPanel::run() {
+    judge();
+    // The engine judges again, and tells a refusal; a field without a number has no target to send.
+    if (const auto pose = target()) {
+        emit runRequested(*pose);
+    }
+}
+
+void TargetPanel::judge() {
+    if (m_validity == nullptr || m_fields[5] == nullptr) {
+        return;
+    }
+    m_sinceJudged.start();
+    const auto pose = target();
+    if (!pose) {
+        m_verdict.reset();
+    } else if (m_measured) {
+        m_verdict = checkLegPath(m_geometry, m_limits, *m_measured, *pose);
+    } else {
+        m_verdict = checkPose(m_geometry, m_limits, *pose);
+    }
+    showVerdict();
+    showRanges();
+}
+
+void TargetPanel::showRanges() {
+    for (int i = 0; i < 6; ++i) {
+        const auto range = m_measured ? axisRange(m_geometry, m_limits, *m_measured, i) : std::nullopt;
+        m_ranges[static_cast<std::size_t>(i)]->setText(range ? rangeText(*range, i) : ReadOut::dash());
+    }
+}
+
+void TargetPanel::showVerdict() {
+    if (m_verdict) {
+        setTone(*m_lamp, m_verdict->ok() ? Tone::Good : Tone::Bad);
+        m_validity->showText(verdictText(*m_verdict));
+        return;
+    }
+    setTone(*m_lamp, Tone::Bad);
+    for (std::size_t i = 0; i < m_fields.size(); ++i) {
+        if (!m_fields[i]->isComplete()) {
+            m_validity->showText(tr("Target %1 is not a number").arg(coordinateTexts()[i].symbol));
+            return;
+        }
+    }
+}
+
+void TargetPanel::retranslate() {
+    setTitle(tr("Target"));
+    const std::array<QString, 6> names = {tr("Target x"),     tr("Target y"),    tr("Target z"),
+                                          tr("Target alpha"), tr("Target beta"), tr("Target gamma")};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        m_fields[i]->setAccessibleName(names[i]);
+        m_fields[i]->setToolTip(coordinateTexts()[i].angle ? tr("Rotation in degrees") : tr("Displacement in mm"));
+        m_ranges[i]->setToolTip(tr("How far this axis alone can go from the present pose"));
+    }
+    m_rangeTitle->setText(tr("range from here"));
+    m_validity->setAccessibleName(tr("Validity"));
+    const auto name = [](QPushButton* button, const QString& text, const QString& tip) {
+        button->setText(text);
+        button->setAccessibleName(text);
+        button->setToolTip(tip);
+    };
+    name(m_run, tr("Run"), tr("Move to the target; references and enables first when that is needed"));
+    name(m_stop, tr("Stop"), tr("Stop the motion (Esc). This is not the emergency stop of the machine."));
+    m_stop->setText(tr("Stop  (Esc)"));
+    name(m_reset, tr("Reset"), tr("Put the home pose into the fields; nothing moves"));
+    name(m_copy, tr("Copy measured"), tr("Put the measured pose into the fields; nothing moves"));
+    showVerdict();
+}
+
+void TargetPanel::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    }
+    Card::changeEvent(event);
+}
+
+} // namespace hexapose

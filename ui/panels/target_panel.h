@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/control/limits.h"
+#include "core/record/snapshot.h"
+#include "ui/common/card.h"
+
+#include <QElapsedTimer>
+
+#include <array>
+#include <optional>
+
+class QPushButton;
+
+namespace hexapose {
+
+class PoseField;
+class TextReadOut;
+
+/// Where to go: six fields, whether that can be reached and why not, Run, Stop and Reset.
+class TargetPanel final : public Card {
+    Q_OBJECT
+public:
+    explicit TargetPanel(const PlatformGeometry& geometry, QWidget* parent = nullptr);
+
+    void setConnected(bool connected);
+    /// What the present pose and the controller's limits say; judged anew a few times a second at most.
+    void showSnapshot(const Snapshot& snapshot);
+
+    void setTarget(const Pose& pose);
+    /// Nothing while a field holds no number.
+    std::optional<Pose> target() const;
+    std::optional<Verdict> verdict() const { return m_verdict; }
+    const std::array<PoseField*, 6>& fields() const { return m_fields; }
+
+public slots:
+    void run();
+
+signals:
+    void runRequested(const hexapose::Pose& target);
+    void stopRequested();
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void build();
+    void judge();
+    void showRanges();
+    void showVerdict();
+    void retranslate();
+
+    PlatformGeometry m_geometry;
+    MotionLimits m_limits;
+    std::optional<Pose> m_measured; ///< present and usable
+    std::optional<Verdict> m_verdict;
+    QElapsedTimer m_sinceJudged;
+    bool m_connected = false;
+    std::array<PoseField*, 6> m_fields{};
+    std::array<QLabel*, 6> m_ranges{};
+    QLabel* m_rangeTitle = nullptr;
+    QLabel* m_lamp = nullptr;
+    TextReadOut* m_validity = nullptr;
+    QPushButton* m_run = nullptr;
+    QPushButton* m_stop = nullptr;
+    QPushButton* m_reset = nullptr;
+    QPushButton* m_copy = nullptr;
+};
+
+} // namespace hexapose

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/common/theme.h"
+
+#include <QObject>
+
+class QActionGroup;
+class QMainWindow;
+class QMenu;
+
+namespace hexapose {
+
+/// The menu of a window: language and look, changed while it runs.
+class WindowMenu final : public QObject {
+    Q_OBJECT
+public:
+    WindowMenu(QMainWindow& window, const QString& language, ThemeKind theme);
+
+signals:
+    void languageChosen(const QString& code);
+    void themeChosen(hexapose::ThemeKind kind);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void retranslate();
+
+    QMenu* m_file;
+    QMenu* m_view;
+    QMenu* m_languages;
+    QMenu* m_themes;
+    QAction* m_quit;
+    QAction* m_light;
+    QAction* m_dark;
+};
+
+} // namespace hexapose
