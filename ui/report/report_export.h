@@ -13,13 +13,15 @@
 
 namespace hexapose {
 
-/// Draws the two panels of Figure 8 (angle errors in rad, displacement errors in m, over the sample number), with the
-/// predicted bound as a band, into the rectangle. Always light: it is paper.
+/// Draws the two panels of Figure 8 (angle errors in rad, displacement errors in m, over the sample number),
+/// with the predicted bound as a band, into the rectangle. Always light: it is paper.
 void paintErrorPanels(QPainter& painter, const QRectF& area, const ErrorReport& report);
 
-/// Writes report.pdf, errors.csv, errors.png and errors.svg into the directory (made when missing). Each file is
-/// written under a temporary name and renamed. Throws InputError when one cannot be written. Returns the paths.
-std::vector<std::filesystem::path> exportErrorReport(const ErrorReport& report, const std::filesystem::path& directory);
+/// Writes report.pdf, errors.csv, errors.png and errors.svg into the directory (made when missing). Each file
+/// is written under a temporary name and renamed. Throws InputError when one cannot be written. Returns the
+/// paths in this order. Text needs a QGuiApplication; the offscreen platform will do.
+std::vector<std::filesystem::path> exportErrorReport(const ErrorReport& report,
+                                                     const std::filesystem::path& directory);
 
 /// The two panels alone: `stem`.png and `stem`.svg. Throws InputError when one cannot be written.
 void exportErrorPictures(const ErrorReport& report, const std::filesystem::path& stem);

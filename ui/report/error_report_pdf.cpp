@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/report/error_report_pdf.h"
+
+#include "core/geometry/number_text.h"
+#include "core/geometry/units.h"
+#include "ui/report/pdf_pages.h"
+#include "ui/report/report_export.h"
+#include "ui/report/report_numbers.h"
+
+#include <QLocale>
+
+#include <array>
+#include <cmath>
+
+namespace hexapose {
+
+namespace {
+
+/// As the field prints them: angles first.
+constexpr std::array<int, 6> kPrintOrder{3, 4, 5, 0, 1, 2};
+const std::array<QString, 6> kNames{QStringLiteral("x"), QStringLiteral("y"), QStringLiteral("z"),
+                                    QStringLiteral("α"), QStringLiteral("β"), QStringLiteral("γ")};
+constexpr double kGapBelowSample = 5.0; // mm
+constexpr double kLinesAboveTable = 11.0;
+
+QString resolutionText(const ErrorReport& report) {
+    return QString::fromStdString(formatNumber(mmFromMetres(report.resolution))) + QStringLiteral(" mm");
+}
+
+QString dateText(const QDateTime& date) {
+    const int minutes = date.offsetFromUtc() / 60;
+    const QString offset = QStringLiteral("UTC%1%2:%3")
+                               .arg(minutes < 0 ? QLatin1Char('-') : QLatin1Char('+'))
+                               .arg(std::abs(minutes) / 60, 2, 10, QLatin1Char('0'))
+                               .arg(std::abs(minutes) % 60, 2, 10, QLatin1Char('0'));
+    return QLocale::c().toString(date, QStringLiteral("yyyy-MM-dd HH:mm:ss ")) + offset;
+}
+
+QStringList statisticsRow(const QString& name, const PoseVector& values, bool si) {
+    QStringList cells{name};
+    for (const int k : kPrintOrder)
+        cells << errorText(si ? values[k] : commonUnits(k, values[k]));
+    return cells;
+}
+
+/// The standard deviation that the resolution explains over all samples together.
+PoseVector typicalSigma(const ErrorReport& report) {
+    PoseVector squares = PoseVector::Zero();
+    for (const ErrorRow& row : report.rows)
+        squares += row.predictedSigma.cwiseAbs2();
+    return (squares / static_cast<double>(report.rows.size())).cwiseSqrt();
+}
+
+PdfPages::Table statisticsTable(const ErrorReport& report) {
+    PdfPages::Table table;
+    table.widths = {50, 21, 21, 21, 21, 21, 21};
+    for (const bool si : {true, false}) {
+        QStringList units{si ? QStringLiteral("Error in rad and m") : QStringLiteral("Error in deg and mm")};
+        for (const int k : kPrintOrder)
+            units << kNames[static_cast<std::size_t>(k)] +
+                         (k < 3 ? (si ? QStringLiteral(" (m)") : QStringLiteral(" (mm)"))
+                                : (si ? QStringLiteral(" (rad)") : QStringLiteral(" (deg)")));
+        if (si)
+            table.header = units;
+        else
+            table.rows.push_back(units);
+        table.rows.push_back(statisticsRow(QStringLiteral("Mean"), report.statistics.mean, si));
+        table.rows.push_back(statisticsRow(QStringLiteral("RMS"), report.statistics.rms, si));
+        table.rows.push_back(statisticsRow(QStringLiteral("Maximum"), report.statistics.maximum, si));
+        table.rows.push_back(
+            statisticsRow(QStringLiteral("Predicted std. deviation"), typicalSigma(report), si));
+        table.rows.push_back(
+            statisticsRow(QStringLiteral("Predicted bound"), largestPredictedBound(report), si));
+    }
+    table.headerRows = {5};
+    return table;
+}
+
+PdfPages::Table sampleTable(const ErrorRow& row, const PoseDecimals& decimals) {
+    PdfPages::Table table;
+    table.widths = {8, 21, 21, 21, 21, 21, 21, 21, 21};
+    table.headerSpan = {4, 4};
+    table.groups = QStringList{QStringLiteral("rad and m"), QStringLiteral("deg and mm")};
+    const QStringList columns{QStringLiteral("Target"), QStringLiteral("Solved"), QStringLiteral("Error"),
+                              QStringLiteral("Predicted")};
+    table.header = QStringList{QString()} + columns + columns;
+    const bool usable = row.solution.isUsable();
+    const PoseVector unknown = PoseVector::Constant(std::nan(""));
+    const PoseVector target = row.sample.target.toVector();
+    const PoseVector solved = usable ? row.solution.pose.toVector() : unknown;
+    const PoseVector error = usable ? row.error : unknown;
+    for (const int k : kPrintOrder) {
+        table.rows.push_back({kNames[static_cast<std::size_t>(k)], decimals.si(k, target[k]),
+                              decimals.si(k, solved[k]), errorText(error[k]),
+                              errorText(row.predictedBound[k]), decimals.common(k, target[k]),
+                              decimals.common(k, solved[k]), errorText(commonUnits(k, error[k])),
+                              errorText(commonUnits(k, row.predictedBound[k]))});
+    }
+    return table;
+}
+
+double sampleHeight() {
+    PdfPages::Table table;
+    table.groups = QStringList{QString()};
+    table.rows.resize(6);
+    return kLinesAboveTable + PdfPages::tableHeight(table) + kGapBelowSample;
+}
+
+constexpr double kSamplesHeading = 10.0; // mm
+
+int samplesPerPage() {
+    return static_cast<int>((PdfPages::pageHeight() - kSamplesHeading + kGapBelowSample) / sampleHeight());
+}
+
+int pageCount(const ErrorReport& report) {
+    const int samples = static_cast<int>(report.rows.size());
+    return 1 + (samples + samplesPerPage() - 1) / samplesPerPage();
+}
+
+void paintFirstPage(PdfPages& pages, const ErrorReport& report, const QDateTime& date) {
+    pages.heading(QStringLiteral("Forward kinematics error report"), 17.0);
+    pages.rule();
+    pages.skip(2.5);
+    constexpr double kLabel = 34.0;
+    const auto samples = static_cast<int>(report.rows.size());
+    pages.line(QStringLiteral("Platform"), kLabel, QString::fromStdString(report.platformName));
+    pages.line(QStringLiteral("Solver"), kLabel, QString::fromStdString(report.solver));
+    pages.line(QStringLiteral("Date"), kLabel, dateText(date));
+    pages.line(QStringLiteral("Samples"), kLabel,
+               report.failed == 0
+                   ? QString::number(samples)
+                   : QStringLiteral("%1, of which %2 without a usable solution and not in the statistics")
+                         .arg(samples)
+                         .arg(report.failed));
+    pages.line(QStringLiteral("Length resolution"), kLabel, resolutionText(report));
+    pages.skip(3.0);
+    pages.table(statisticsTable(report));
+    pages.skip(1.5);
+    pages.note(QStringLiteral(
+                   "Error: solved pose minus target. Maximum: of the absolute value. Predicted: what lengths "
+                   "rounded to %1 explain by themselves, through the inverse of the Jacobian; the bound is "
+                   "the worst case, the largest of all samples.")
+                   .arg(resolutionText(report)),
+               2);
+    pages.skip(5.0);
+    const QRectF figure = pages.take(std::min(pages.remaining(), 142.0));
+    paintErrorPanels(pages.painter(), figure, report);
+}
+
+void paintSample(PdfPages& pages, const ErrorRow& row, const PoseDecimals& decimals) {
+    const ForwardResult& solution = row.solution;
+    const auto status = toWord(solution.status);
+    pages.line(QStringLiteral("Sample %1").arg(row.number), 24.0,
+               QStringLiteral("%1, iterations: %2, residual: %3 mm, measurements averaged: %4")
+                   .arg(QString::fromUtf8(status.data(), static_cast<qsizetype>(status.size())))
+                   .arg(solution.iterations)
+                   .arg(errorText(mmFromMetres(solution.residual)))
+                   .arg(row.sample.measurements));
+    QStringList lengths;
+    for (const double length : row.sample.meanLengths)
+        lengths << decimals.common(0, length);
+    pages.line(QString(), 24.0, QStringLiteral("Lengths (mm): ") + lengths.join(QStringLiteral("  ")));
+    pages.skip(kLinesAboveTable - 2 * PdfPages::lineHeight());
+    pages.table(sampleTable(row, decimals));
+    pages.skip(kGapBelowSample);
+}
+
+} // namespace
+
+void writeErrorReportPdf(const ErrorReport& report, const QDateTime& date, QIODevice& device) {
+    const QString title = QStringLiteral("Forward kinematics error report");
+    PdfPages pages(device, title, title + QStringLiteral(" — ") + QString::fromStdString(report.platformName),
+                   pageCount(report));
+    paintFirstPage(pages, report, date);
+    const PoseDecimals decimals(report);
+    int onPage = samplesPerPage();
+    for (const ErrorRow& row : report.rows) {
+        if (onPage == samplesPerPage()) {
+            pages.newPage();
+            pages.heading(QStringLiteral("Samples"), 12.0);
+            pages.skip(pages.remaining() - (PdfPages::pageHeight() - kSamplesHeading));
+            onPage = 0;
+        }
+        paintSample(pages, row, decimals);
+        ++onPage;
+    }
+}
+
+} // namespace hexapose

@@ -1,0 +1,282 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/report/plot.h"
+
+#include "ui/report/nice_ticks.h"
+
+#include <QFontMetricsF>
+#include <QPolygonF>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hexapose {
+
+namespace {
+
+const QColor kInk(0x22, 0x22, 0x22);
+const QColor kAxis(0x80, 0x80, 0x80);
+const QColor kGrid(0xD8, 0xD8, 0xD8);
+constexpr double kTextSize = 13.0; // all sizes in units
+constexpr double kTickTextSize = 12.0;
+constexpr double kGap = 6.0;
+
+/// One plot on its way to paper.
+class PlotPainter {
+public:
+    PlotPainter(QPainter& painter, const QRectF& area, const Plot& plot, double unit);
+    void paint();
+
+private:
+    void layOut();
+    QPointF at(double x, double y) const;
+    void paintBand();
+    void paintGrid();
+    void paintAxes();
+    void paintSeries(const Plot::Series& series);
+    void paintMarker(Plot::Marker marker, const QColor& colour, QPointF centre, double radius);
+    void paintLegend();
+    void paintLegendEntry(const Plot::Series* series, QPointF left);
+    double markerRadius(std::size_t points) const;
+    QPen pen(const QColor& colour, double width) const {
+        return {colour, width * m_unit, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin};
+    }
+
+    QPainter& m_painter;
+    QRectF m_area;
+    const Plot& m_plot;
+    double m_unit;
+    QFont m_font;
+    QFont m_tickFont;
+    QFontMetricsF m_metrics;
+    QFontMetricsF m_tickMetrics;
+    Ticks m_xTicks;
+    Ticks m_yTicks;
+    QRectF m_frame;
+};
+
+PlotPainter::PlotPainter(QPainter& painter, const QRectF& area, const Plot& plot, double unit)
+    : m_painter(painter), m_area(area), m_plot(plot), m_unit(unit), m_font(paperFont(kTextSize * unit)),
+      m_tickFont(paperFont(kTickTextSize * unit)), m_metrics(m_font, painter.device()),
+      m_tickMetrics(m_tickFont, painter.device()) {
+    layOut();
+}
+
+void PlotPainter::layOut() {
+    const double gap = kGap * m_unit;
+    const double top = m_metrics.height() + 1.5 * gap;
+    const double bottom = m_tickMetrics.height() + m_metrics.height() + 2.0 * gap;
+    const double height = std::max(1.0, m_area.height() - top - bottom);
+    m_yTicks = niceTicks(m_plot.y.low, m_plot.y.high,
+                         std::max(2, static_cast<int>(height / (2.2 * m_tickMetrics.height()))));
+    double labels = 0.0;
+    for (const QString& label : m_yTicks.labels)
+        labels = std::max(labels, m_tickMetrics.horizontalAdvance(label));
+    const double left = m_metrics.height() + labels + 3.0 * gap;
+    const double width = std::max(1.0, m_area.width() - left - 2.0 * gap);
+    m_frame = QRectF(m_area.left() + left, m_area.top() + top, width, height);
+    const double xLabel = m_tickMetrics.horizontalAdvance(QString::number(m_plot.x.high, 'f', 0)) + 3.0 * gap;
+    m_xTicks = niceTicks(m_plot.x.low, m_plot.x.high, std::max(2, static_cast<int>(width / xLabel)), true);
+}
+
+QPointF PlotPainter::at(double x, double y) const {
+    const double right = (x - m_plot.x.low) / (m_plot.x.high - m_plot.x.low);
+    const double up = (y - m_plot.y.low) / (m_plot.y.high - m_plot.y.low);
+    return {m_frame.left() + right * m_frame.width(), m_frame.bottom() - up * m_frame.height()};
+}
+
+void PlotPainter::paint() {
+    paintBand();
+    paintGrid();
+    m_painter.save();
+    m_painter.setClipRect(m_frame.adjusted(-4 * m_unit, -4 * m_unit, 4 * m_unit, 4 * m_unit),
+                          Qt::IntersectClip);
+    for (const Plot::Series& series : m_plot.series)
+        paintSeries(series);
+    m_painter.restore();
+    paintAxes();
+    paintLegend();
+    if (!m_plot.note.isEmpty()) {
+        m_painter.setFont(m_font);
+        m_painter.setPen(kInk);
+        const QRectF upperHalf(m_frame.topLeft(), QSizeF(m_frame.width(), m_frame.height() / 2.0));
+        m_painter.drawText(upperHalf, Qt::AlignCenter, m_plot.note);
+    }
+}
+
+void PlotPainter::paintBand() {
+    if (!m_plot.band)
+        return;
+    // One outline, because steps drawn side by side show seams where a renderer smooths their edges.
+    QPolygonF upper;
+    QPolygonF lower;
+    for (const QPointF& step : m_plot.band->steps) {
+        const double y = std::isnan(step.y()) ? 0.0 : std::min(step.y(), m_plot.y.high);
+        for (const double x : {step.x() - 0.5, step.x() + 0.5}) {
+            upper << at(x, y);
+            lower << at(x, std::max(-y, m_plot.y.low));
+        }
+    }
+    std::reverse(lower.begin(), lower.end());
+    m_painter.setPen(Qt::NoPen);
+    m_painter.setBrush(m_plot.band->colour);
+    m_painter.drawPolygon(upper + lower);
+}
+
+void PlotPainter::paintGrid() {
+    m_painter.setPen(pen(kGrid, 0.7));
+    for (const double y : m_yTicks.values)
+        m_painter.drawLine(QPointF(m_frame.left(), at(0, y).y()), QPointF(m_frame.right(), at(0, y).y()));
+    if (m_plot.y.low < 0.0 && m_plot.y.high > 0.0) {
+        m_painter.setPen(pen(kAxis, 1.0));
+        m_painter.drawLine(QPointF(m_frame.left(), at(0, 0).y()), QPointF(m_frame.right(), at(0, 0).y()));
+    }
+}
+
+void PlotPainter::paintAxes() {
+    const double gap = kGap * m_unit;
+    m_painter.setBrush(Qt::NoBrush);
+    m_painter.setPen(pen(kAxis, 1.0));
+    m_painter.drawRect(m_frame);
+    for (const double x : m_xTicks.values)
+        m_painter.drawLine(QPointF(at(x, 0).x(), m_frame.bottom()),
+                           QPointF(at(x, 0).x(), m_frame.bottom() + gap * 0.6));
+
+    m_painter.setPen(kInk);
+    m_painter.setFont(m_tickFont);
+    const double line = m_tickMetrics.height();
+    for (std::size_t i = 0; i < m_xTicks.values.size(); ++i) {
+        const double x = at(m_xTicks.values[i], 0).x();
+        m_painter.drawText(QRectF(x - 20 * line, m_frame.bottom() + gap, 40 * line, line), Qt::AlignCenter,
+                           m_xTicks.labels[i]);
+    }
+    for (std::size_t i = 0; i < m_yTicks.values.size(); ++i) {
+        const double y = at(0, m_yTicks.values[i]).y();
+        m_painter.drawText(QRectF(m_area.left(), y - line, m_frame.left() - gap - m_area.left(), 2 * line),
+                           Qt::AlignRight | Qt::AlignVCenter, m_yTicks.labels[i]);
+    }
+    m_painter.drawText(
+        QRectF(m_frame.left(), m_area.top(), m_frame.width(), m_frame.top() - m_area.top() - gap / 2),
+        Qt::AlignLeft | Qt::AlignBottom, timesPowerOfTen(m_yTicks.exponent));
+
+    m_painter.setFont(m_font);
+    const double text = m_metrics.height();
+    m_painter.drawText(QRectF(m_frame.left(), m_area.bottom() - text, m_frame.width(), text), Qt::AlignCenter,
+                       m_plot.xLabel);
+    m_painter.save();
+    m_painter.translate(m_area.left(), m_frame.center().y());
+    m_painter.rotate(-90.0);
+    m_painter.drawText(QRectF(-m_area.height(), 0.0, 2 * m_area.height(), text), Qt::AlignCenter,
+                       m_plot.yLabel);
+    m_painter.restore();
+}
+
+double PlotPainter::markerRadius(std::size_t points) const {
+    const double room = m_frame.width() / static_cast<double>(std::max<std::size_t>(1, points));
+    return std::clamp(room * 0.3, 1.6 * m_unit, 4.0 * m_unit);
+}
+
+void PlotPainter::paintSeries(const Plot::Series& series) {
+    QPolygonF run;
+    const double radius = markerRadius(series.points.size());
+    m_painter.setPen(pen(series.colour, radius > 2.5 * m_unit ? 1.5 : 0.9));
+    m_painter.setBrush(Qt::NoBrush);
+    const auto paintRun = [&] {
+        if (series.connected && run.size() > 1)
+            m_painter.drawPolyline(run);
+        run.clear();
+    };
+    for (const QPointF& point : series.points) {
+        if (std::isfinite(point.y()))
+            run << at(point.x(), point.y());
+        else
+            paintRun();
+    }
+    paintRun();
+    for (const QPointF& point : series.points)
+        if (std::isfinite(point.y()))
+            paintMarker(series.marker, series.colour, at(point.x(), point.y()), radius);
+}
+
+void PlotPainter::paintMarker(Plot::Marker marker, const QColor& colour, QPointF centre, double radius) {
+    const QPointF right(radius, 0.0);
+    const QPointF down(0.0, radius);
+    if (marker == Plot::Marker::Cross) {
+        m_painter.setPen(pen(colour, 1.8));
+        m_painter.drawLine(centre - right - down, centre + right + down);
+        m_painter.drawLine(centre - right + down, centre + right - down);
+        return;
+    }
+    m_painter.setPen(pen(Qt::white, 0.6)); // keeps markers apart that lie on one another
+    m_painter.setBrush(colour);
+    if (marker == Plot::Marker::Circle)
+        m_painter.drawEllipse(centre, radius, radius);
+    else if (marker == Plot::Marker::Square)
+        m_painter.drawRect(QRectF(centre - 0.9 * (right + down), centre + 0.9 * (right + down)));
+    else
+        m_painter.drawPolygon(QPolygonF{centre - 1.25 * down, centre + 1.1 * right + 0.85 * down,
+                                        centre - 1.1 * right + 0.85 * down});
+}
+
+/// From the right edge of the frame to the left, above it.
+void PlotPainter::paintLegend() {
+    m_painter.setFont(m_font);
+    const double swatch = 24.0 * m_unit;
+    const double gap = kGap * m_unit;
+    const double y = m_frame.top() - gap / 2 - m_metrics.height() / 2;
+    double right = m_frame.right();
+    const auto place = [&](const QString& name, const Plot::Series* series) {
+        const double width = m_metrics.horizontalAdvance(name);
+        m_painter.setPen(kInk);
+        m_painter.drawText(
+            QRectF(right - width - gap, y - m_metrics.height(), width + gap, 2 * m_metrics.height()),
+            Qt::AlignRight | Qt::AlignVCenter, name);
+        right -= width + gap + swatch;
+        paintLegendEntry(series, QPointF(right, y));
+        right -= 2.5 * gap;
+    };
+    if (m_plot.band && !m_plot.band->steps.empty())
+        place(m_plot.band->name, nullptr);
+    for (auto series = m_plot.series.rbegin(); series != m_plot.series.rend(); ++series)
+        if (!series->points.empty())
+            place(series->name, &*series);
+}
+
+/// The swatch of a series, or of the band.
+void PlotPainter::paintLegendEntry(const Plot::Series* series, QPointF left) {
+    const double swatch = 24.0 * m_unit;
+    if (series == nullptr) {
+        m_painter.setPen(pen(kGrid, 0.7));
+        m_painter.setBrush(m_plot.band->colour);
+        m_painter.drawRect(QRectF(left - QPointF(0, 5 * m_unit), QSizeF(swatch, 10 * m_unit)));
+        return;
+    }
+    if (series->connected) {
+        m_painter.setPen(pen(series->colour, 1.5));
+        m_painter.drawLine(left, left + QPointF(swatch, 0.0));
+    }
+    paintMarker(series->marker, series->colour, left + QPointF(swatch / 2, 0.0), 4.0 * m_unit);
+}
+
+} // namespace
+
+void paintPlot(QPainter& painter, const QRectF& area, const Plot& plot, double unit) {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setRenderHint(QPainter::TextAntialiasing);
+    PlotPainter(painter, area, plot, unit).paint();
+    painter.restore();
+}
+
+QFont paperFont(double pixels, bool bold) {
+    QFont font;
+    font.setFamilies(
+        {QStringLiteral("DejaVu Sans"), QStringLiteral("Noto Sans"), QStringLiteral("Liberation Sans")});
+    font.setStyleHint(QFont::SansSerif);
+    font.setPixelSize(std::max(1, static_cast<int>(std::lround(pixels))));
+    font.setBold(bold);
+    return font;
+}
+
+} // namespace hexapose
