@@ -10,9 +10,9 @@
 
 namespace hexapose {
 
-/// Reads a platform file (TOML, format 1). Throws InputError "file:line: cause" for a file that cannot be read, bad
-/// TOML, an unknown format number, an unknown or missing key, a wrong type, a wrong leg count, or a geometry that
-/// validate() refuses.
+/// Reads a platform file (TOML, format 1). Throws InputError "file:line: cause" for a file that cannot be
+/// read, bad TOML, an unknown format number, an unknown or missing key, a wrong type, a wrong leg count, or a
+/// geometry that validate() refuses.
 PlatformGeometry loadPlatform(const std::filesystem::path& file);
 
 /// The same from text; sourceName stands for the file in messages.

@@ -33,15 +33,24 @@ struct PlatformGeometry {
     double size() const;
     /// Lever arm of the rotation, m: root mean square of |p_PB_P|; makes Jacobian columns comparable.
     double jointRadius() const;
-    /// FNV-1a over home position and joints, as 16 hex digits: what a regression model depends on. Strokes and name
-    /// are left out, because the kinematics do not depend on them.
+    /// FNV-1a over home position and joints, as 16 hex digits: what a regression model depends on. Strokes
+    /// and name are left out, because the kinematics do not depend on them.
     std::string fingerprint() const;
 };
 
-/// Everything wrong with a geometry, one sentence each with leg, value and bound, in mm ("leg 3: min_mm 350 is not
-/// below max_mm 250"). Empty when the geometry can be used. Checks: numbers finite, 0 < min < max, home inside the
-/// strokes, no two base joints and no two platform joints of one pair of legs coinciding in both, joint positions
-/// not all coincident, home lengths positive.
+/// One thing wrong with a geometry, and where in a platform file it stands.
+struct GeometryFault {
+    int leg;         ///< 1 to 6; 0: not a leg
+    std::string key; ///< "min_mm", ...
+    std::string text;
+};
+std::vector<GeometryFault> findFaults(const PlatformGeometry& geometry);
+
+/// Everything wrong with a geometry, one sentence each with leg, value and bound, in mm ("leg 3: min_mm 350
+/// is not below max_mm 250"). Empty when the geometry can be used. Checks: numbers finite, 0 < min < max,
+/// home inside the strokes, no two legs that share both joints (sharing one is legal, as in a 3-3 octahedral
+/// platform), base joints and platform joints neither all coincident nor all on one line, home lengths
+/// positive.
 std::vector<std::string> validate(const PlatformGeometry& geometry);
 
 } // namespace hexapose

@@ -26,7 +26,8 @@ const ForwardMethod* findForwardMethod(std::string_view word);
 
 /// Builds the solver; `model` must be there, and of the method's degree, when the method needs one.
 /// Throws InputError otherwise.
-std::unique_ptr<ForwardSolver> makeForwardSolver(const ForwardMethod& method, const PlatformGeometry& geometry,
+std::unique_ptr<ForwardSolver> makeForwardSolver(const ForwardMethod& method,
+                                                 const PlatformGeometry& geometry,
                                                  const PolynomialModel* model, const NewtonOptions& options);
 
 } // namespace hexapose

@@ -16,7 +16,8 @@ enum class SolveStatus {
     Singular,       ///< the Jacobian cannot be inverted here
     NoSolution,     ///< no pose has these lengths
     InvalidInput,   ///< a length is NaN, infinite, zero or negative
-    OutsideModel,   ///< outside what the regression was trained on (MPR-NR: solved by Newton from the start instead)
+    OutsideModel,   ///< outside what the regression was trained on (MPR-NR: solved by Newton from the start
+                    ///< instead)
     OtherBranch,    ///< a pose of these lengths, but of another assembly mode than home's
 };
 
@@ -33,15 +34,17 @@ struct ForwardResult {
 
     /// Whether `pose` means anything; false for InvalidInput and NoSolution.
     bool hasPose() const;
-    /// Whether the pose may be shown and used as the measured pose: Converged, or OutsideModel with the residual
-    /// within the tolerance that the solver was given (see `accurate`).
-    bool isUsable() const { return status == SolveStatus::Converged || (status == SolveStatus::OutsideModel && accurate); }
+    /// Whether the pose may be shown and used as the measured pose: Converged, or OutsideModel with the
+    /// residual within the tolerance that the solver was given (see `accurate`).
+    bool isUsable() const {
+        return status == SolveStatus::Converged || (status == SolveStatus::OutsideModel && accurate);
+    }
     /// The residual is within the solver's tolerance.
     bool accurate = false;
 };
 
-/// From leg lengths to pose. Implementations are immutable after construction, allocate nothing in solve(), and may
-/// be called from several threads at once.
+/// From leg lengths to pose. Implementations are immutable after construction, allocate nothing in solve(),
+/// and may be called from several threads at once.
 class ForwardSolver {
 public:
     virtual ~ForwardSolver() = default;

@@ -10,9 +10,9 @@
 
 namespace hexapose {
 
-/// The model of this platform and specification from `directory`, or trained now and kept there. A cached file that
-/// is damaged is trained anew and replaced. A directory that cannot be written costs only the reuse. Nothing when
-/// cancelled.
+/// The model of this platform and specification from `directory`, or trained now and kept there. A cached
+/// file that is damaged is trained anew and replaced. A directory that cannot be written costs only the
+/// reuse. Nothing when cancelled.
 struct CachedModel {
     PolynomialModel model;
     bool trained = false;       ///< false: read from the cache

@@ -10,8 +10,8 @@
 
 namespace hexapose {
 
-/// The regression alone ("mpr2", "mpr3"). Status Converged within the model's range, else OutsideModel; iterations 0;
-/// residual of the pose it gives.
+/// The regression alone ("mpr2", "mpr3"). Status Converged within the model's range, else OutsideModel;
+/// iterations 0; residual of the pose it gives.
 class PolynomialRegression final : public ForwardSolver {
 public:
     PolynomialRegression(const PlatformGeometry& geometry, PolynomialModel model);
@@ -24,8 +24,9 @@ private:
     std::string m_name;
 };
 
-/// MPR-NR (section 2.6): regression, then Newton-Raphson with the exact derivative where the regression does not
-/// already meet the tolerance. Outside the model's range Newton starts from `start` and the status says OutsideModel.
+/// MPR-NR (section 2.6): regression, then Newton-Raphson with the exact derivative where the regression does
+/// not already meet the tolerance. Outside the model's range Newton starts from `start` and the status says
+/// OutsideModel.
 class MprNewton final : public ForwardSolver {
 public:
     MprNewton(const PlatformGeometry& geometry, PolynomialModel model, const NewtonOptions& options);

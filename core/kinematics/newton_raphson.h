@@ -4,6 +4,7 @@
 
 #include "core/geometry/platform_geometry.h"
 #include "core/kinematics/forward_solver.h"
+#include "core/kinematics/leg_equations.h"
 
 namespace hexapose {
 
@@ -15,25 +16,40 @@ struct NewtonOptions {
 /// 1e-10 m for the laboratory platform, in proportion to the machine's size for any other.
 double defaultTolerance(const PlatformGeometry& geometry);
 
-/// Newton-Raphson with the exact derivative: X <- X + J(X)^-1 (L - G(X)) (Eq. 14 with the analytic Jacobian), the
-/// stop test before the update. Quadratic. A step that makes the residual worse is shortened.
-/// Status: Converged; IterationLimit; Singular; NoSolution when the lengths break a triangle inequality or the
-/// residual stays at a positive minimum; InvalidInput; OtherBranch when det J has not home's sign.
+/// Determinant of the scaled Jacobian at home, whose sign tells the branch; 0 for a machine that is singular
+/// there.
+double homeDeterminant(const PlatformGeometry& geometry);
+
+/// Smallest singular value of the scaled Jacobian (see singularity.h) below which a pose counts as singular:
+/// there a leg error is magnified ten thousand times, and the lengths no longer tell the pose.
+inline constexpr double kSingularValueFloor = 1e-4;
+
+/// Newton-Raphson with the exact derivative (Eq. 14 on rotations instead of Euler angles, so that gimbal lock
+/// is no obstacle), the stop test before the update. Quadratic. A step that makes the residual worse is
+/// shortened. Status: Converged; IterationLimit; Singular when the Jacobian cannot be inverted at the pose
+/// found or at home; NoSolution when the lengths break a triangle inequality or the residual stays at a
+/// positive minimum, from `start` and from home; InvalidInput; OtherBranch when det J has not home's sign.
+/// The pose is NaN where the status has none.
 class NewtonRaphson final : public ForwardSolver {
 public:
     NewtonRaphson(const PlatformGeometry& geometry, const NewtonOptions& options);
     ForwardResult solve(const LegLengths& lengths, const Pose& start) const noexcept override;
     std::string_view name() const noexcept override { return "newton"; }
 
+    /// The tolerance in force, m.
+    double tolerance() const noexcept { return m_tolerance; }
+
 private:
-    PlatformGeometry m_geometry;
-    NewtonOptions m_options;
-    double m_homeDeterminant;
+    LegEquations m_equations;
+    double m_tolerance;
+    int m_maxIterations;
+    double m_homeDeterminant; ///< 0: singular at home
 };
 
-/// The iteration that the paper's numbers come from, only to reproduce them: joint vectors unrotated in J, omega
-/// added to the Euler angles as if it were their rate, the error tested before the update and the update still
-/// applied. Linear, 1.39 iterations a decade.
+/// The iteration that the paper's numbers come from, only to reproduce them: joint vectors unrotated in J,
+/// omega added to the Euler angles as if it were their rate, the error tested before the update and the
+/// update still applied. Linear, 1.39 iterations a decade. Newton's statuses, but NoSolution only by the
+/// triangle inequalities.
 class NewtonAsPublished final : public ForwardSolver {
 public:
     NewtonAsPublished(const PlatformGeometry& geometry, const NewtonOptions& options);
@@ -42,8 +58,9 @@ public:
 
 private:
     PlatformGeometry m_geometry;
-    NewtonOptions m_options;
-    double m_homeDeterminant;
+    double m_tolerance;
+    int m_maxIterations;
+    double m_homeDeterminant; ///< 0: singular at home
 };
 
 } // namespace hexapose

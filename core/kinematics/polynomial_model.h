@@ -15,16 +15,16 @@ namespace hexapose {
 
 /// What a model is trained on: poses uniform in a box about home.
 struct TrainingSpec {
-    int degree = 3;               ///< 1 to 4
-    double offsetRange = 0.0;     ///< +-, m, each axis
-    double angleRange = 0.0;      ///< +-, rad, each axis
+    int degree = 3;           ///< 1 to 4
+    double offsetRange = 0.0; ///< +-, m, each axis
+    double angleRange = 0.0;  ///< +-, rad, each axis
     std::int64_t samples = 100000;
     std::uint64_t seed = 1;
 };
 
-/// A regression of the pose on the distinct monomials up to `degree` of the centred and scaled lengths (Eq. 16).
-/// u_i = (l_i - lengthCentre_i) / lengthScale_i; pose = coefficients * monomials(u). Monomial order: as in
-/// polynomial_basis.h.
+/// A regression of the pose on the distinct monomials up to `degree` of the centred and scaled lengths (Eq.
+/// 16). u_i = (l_i - lengthCentre_i) / lengthScale_i; pose = coefficients * monomials(u). Monomial order: as
+/// in polynomial_basis.h.
 struct PolynomialModel {
     TrainingSpec spec;
     std::string platformFingerprint;
@@ -41,9 +41,9 @@ struct PolynomialModel {
     std::string fingerprint() const;
 };
 
-/// The range a model is trained on when nobody says otherwise: +-40 mm and +-40 deg for the laboratory platform,
-/// the displacement in proportion to the machine's size, and both halved until no sampled pose is singular or past a
-/// singularity. Throws InputError for a geometry that is singular at home.
+/// The range a model is trained on when nobody says otherwise: +-40 mm and +-40 deg for the laboratory
+/// platform, the displacement in proportion to the machine's size, and both halved until no sampled pose is
+/// singular or past a singularity. Throws InputError for a geometry that is singular at home.
 TrainingSpec defaultTrainingSpec(const PlatformGeometry& geometry, int degree);
 
 } // namespace hexapose

@@ -13,10 +13,10 @@ namespace hexapose {
 /// Called from the calling thread now and then with the part done, 0 to 1; return false to cancel.
 using TrainingProgress = std::function<bool(double)>;
 
-/// Fits a model by least squares to Monte Carlo poses (Eq. 17 on distinct monomials). The result depends on the
-/// specification alone, not on the number of threads. Nothing when cancelled. Throws InputError for a specification
-/// that cannot be fitted (degree outside 1..4, a range that is not positive and finite, fewer samples than monomials,
-/// lengths of zero, a singular geometry).
+/// Fits a model by least squares to Monte Carlo poses (Eq. 17 on distinct monomials). The result depends on
+/// the specification alone, not on the number of threads. Nothing when cancelled. Throws InputError for a
+/// specification that cannot be fitted (degree outside 1..4, a range that is not positive and finite, fewer
+/// samples than monomials, lengths of zero, a singular geometry).
 std::optional<PolynomialModel> trainModel(const PlatformGeometry& geometry, const TrainingSpec& spec,
                                           const TrainingProgress& progress = {}, unsigned threads = 0);
 

@@ -7,8 +7,9 @@
 
 namespace hexapose {
 
-/// How far a pose is from a singular one. All without units: the rotation columns of the geometric Jacobian are
-/// divided by the joint radius.
+/// How far a pose is from a singular one. All without units, and independent of where the platform origin P
+/// was put: moments in the geometric Jacobian are taken about the centroid of the platform joints and divided
+/// by their root mean square distance from it.
 struct SingularityMeasure {
     double determinant = 0.0;           ///< of the scaled Jacobian, signed
     double smallestSingularValue = 0.0; ///< 0 is singular; 0.69 at home of the laboratory platform

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/geometry/platform_geometry.h"
+#include "core/kinematics/forward_solver.h"
+
+#include <cmath>
+#include <limits>
+
+namespace hexapose {
+
+/// Lengths that can be the lengths of legs: finite and positive.
+inline bool areLengths(const LegLengths& lengths) noexcept {
+    return lengths.allFinite() && (lengths.array() > 0.0).all();
+}
+
+/// A result without a pose: NaN, so that nobody takes it for home.
+inline ForwardResult withoutPose(SolveStatus status, int iterations, double residual) noexcept {
+    ForwardResult result;
+    result.pose = Pose::fromVector(PoseVector::Constant(std::numeric_limits<double>::quiet_NaN()));
+    result.status = status;
+    result.iterations = iterations;
+    result.residual = residual;
+    return result;
+}
+
+/// Norm of the six leg errors at a pose, m, also where its square would overflow.
+double legResidual(const PlatformGeometry& geometry, const LegLengths& lengths, const Pose& pose) noexcept;
+
+/// Angles in the ranges of eulerAngles(); a rotation by them is the same.
+Pose normalised(const Pose& pose) noexcept;
+
+} // namespace hexapose
