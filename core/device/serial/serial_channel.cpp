@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <filesystem>
 
 namespace hexapose {
@@ -19,11 +20,17 @@ namespace {
 
 constexpr int kWriteTimeoutMs = 200; ///< a port that takes nothing for so long is as good as gone
 
-std::string realPath(const std::string& path) {
+/// The device itself: QSerialPort keeps its lock by path, and a symbolic link would get round it.
+std::string devicePath(const std::string& path) {
     std::error_code error;
     const std::filesystem::path real = std::filesystem::canonical(path, error);
     if (error)
         throw ChannelError(path + ": " + error.message());
+    if (!std::filesystem::is_character_file(real, error))
+        throw ChannelError(path + ": not a serial port");
+    if (::access(real.c_str(), R_OK | W_OK) != 0 && errno == EACCES)
+        throw ChannelError(path + ": no permission. Add yourself to the group of serial ports "
+                                  "(sudo usermod -aG dialout $USER), then log in again");
     return real.string();
 }
 
@@ -35,6 +42,7 @@ struct SerialChannel::Impl {
     QSerialPort port;
 
     void open(int baud);
+    void discardOld();
     [[noreturn]] void fail(const std::string& reason);
     void checkOpen();
 };
@@ -46,22 +54,28 @@ void SerialChannel::Impl::fail(const std::string& reason) {
 }
 
 void SerialChannel::Impl::open(int baud) {
-    const std::string real = realPath(path);
-    if (::access(real.c_str(), R_OK | W_OK) != 0 && errno == EACCES)
-        fail("no permission. Add yourself to the group of serial ports (sudo usermod -aG dialout $USER), "
-             "then log in again");
-    port.setPortName(QString::fromStdString(real));
+    port.setPortName(QString::fromStdString(devicePath(path)));
     port.setBaudRate(baud);
     port.setDataBits(QSerialPort::Data8);
     port.setParity(QSerialPort::NoParity);
     port.setStopBits(QSerialPort::OneStop);
     port.setFlowControl(QSerialPort::NoFlowControl);
     if (!port.open(QIODevice::ReadWrite)) {
+        const std::string reason = port.errorString().toStdString();
         if (port.error() == QSerialPort::PermissionError)
-            fail("another program has it open (" + port.errorString().toStdString() + ")");
-        fail(port.errorString().toStdString());
+            fail("another program has it open (" + reason + ")");
+        fail("not opened as a serial port: " + reason);
     }
-    port.clear(); // what came before this connection is old
+    discardOld();
+}
+
+/// What came before this connection is old. A pseudo-terminal keeps more of it than one clear() reaches.
+void SerialChannel::Impl::discardOld() {
+    constexpr int kLongestMs = 50;
+    constexpr int kPauseMs = 1;
+    port.clear();
+    for (QDeadlineTimer deadline(kLongestMs); !deadline.hasExpired() && port.waitForReadyRead(kPauseMs);)
+        port.readAll();
     port.clearError();
 }
 
@@ -73,7 +87,7 @@ void SerialChannel::Impl::checkOpen() {
     case QSerialPort::TimeoutError:
         return;
     default:
-        fail(port.errorString().toStdString());
+        fail("the port is gone (" + port.errorString().toStdString() + ")");
     }
 }
 
@@ -99,7 +113,7 @@ void SerialChannel::write(std::string_view bytes) {
     QSerialPort& port = m_impl->port;
     m_impl->checkOpen();
     if (port.write(bytes.data(), static_cast<qint64>(bytes.size())) < 0)
-        m_impl->fail(port.errorString().toStdString());
+        m_impl->checkOpen();
     port.flush();
     for (QDeadlineTimer deadline(kWriteTimeoutMs); port.bytesToWrite() > 0;) {
         if (!port.waitForBytesWritten(static_cast<int>(deadline.remainingTime())) && deadline.hasExpired())

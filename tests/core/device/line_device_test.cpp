@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: MIT
+
+// What the host's side of the line protocol sends, and when.
+
+#include "tests/core/device/scripted_channel.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace hexapose {
+namespace {
+
+using namespace std::chrono_literals;
+using testing_support::count;
+using testing_support::Host;
+using Kind = DeviceNotice::Kind;
+using Sent = std::vector<std::string>;
+
+const SetPoints kSet{LegLengths::Constant(0.3), DeviceRequest::None};
+const std::string kSetLengths = ",300,300,300,300,300,300";
+
+SetPoints request(DeviceRequest request) {
+    return {std::nullopt, request};
+}
+
+TEST(LineDevice, AsksWhoIsThereUntilItHearsThenForItsPeriod) {
+    Host host;
+    EXPECT_EQ(host.pass(1000ms, kSet).link, LinkState::Connecting);
+    const Sent asked = host.script.takeSent();
+    EXPECT_EQ(count(asked, "HELLO,1"), 3); // at 0, 400 and 800 ms
+    EXPECT_EQ(asked.size(), 3U);           // and no set-point
+    host.script.say("IDENT,1,arm,6,20,250.5,350");
+    DeviceFeedback feedback = host.device.exchange({});
+    EXPECT_EQ(feedback.link, LinkState::Connected);
+    EXPECT_EQ(feedback.controllerName, "arm");
+    EXPECT_EQ(feedback.period, 20ms);
+    EXPECT_EQ(feedback.minLength, 0.2505);
+    EXPECT_EQ(feedback.maxLength, 0.35);
+    EXPECT_EQ(count(feedback.notices, Kind::Identified), 1);
+    host.device.exchange({});
+    EXPECT_EQ(host.script.takeSent(), Sent{"PERIOD,10"});
+    host.script.say("OK,PERIOD");
+    EXPECT_EQ(host.device.exchange({}).period, 10ms);
+    host.pass(500ms);
+    EXPECT_EQ(host.script.takeSent(), Sent{});
+}
+
+TEST(LineDevice, GoesOnWithTheControllersPeriodWhenItsOwnIsRefusedOrIgnored) {
+    Host refused;
+    refused.script.say("IDENT,1,arm,6,20,250,350");
+    refused.device.exchange({});
+    refused.script.say("ERR,PERIOD,RANGE,20 is all there is", 1ms);
+    const DeviceFeedback feedback = refused.device.exchange({});
+    EXPECT_EQ(feedback.link, LinkState::Connected);
+    EXPECT_EQ(feedback.period, 20ms);
+    ASSERT_EQ(count(feedback.notices, Kind::Refused), 1);
+    EXPECT_EQ(feedback.notices[0].text, "RANGE 20 is all there is");
+    refused.script.say("IDENT,1,arm,6,20,250,350");
+    refused.pass(100ms);
+    EXPECT_EQ(count(refused.script.takeSent(), "PERIOD"), 1); // not asked again
+
+    Host ignored;
+    ignored.script.say("IDENT,1,arm,6,20,250,350");
+    int n = 0;
+    std::vector<DeviceNotice> notices;
+    for (; n < 400; ++n) {
+        ignored.script.len(n, 10000 * n + 1);
+        const DeviceFeedback each = ignored.pass(10ms);
+        notices.insert(notices.end(), each.notices.begin(), each.notices.end());
+    }
+    EXPECT_EQ(count(ignored.script.takeSent(), "PERIOD"), 3);
+    EXPECT_EQ(count(notices, Kind::NoAnswer), 1);
+}
+
+TEST(LineDevice, NumbersItsSetPointsUpAndSendsOnlyThoseThatCanTravel) {
+    Host host;
+    host.connect();
+    for (int i = 0; i < 65537; ++i) {
+        host.script.say("OK,X"); // so that no wait is long
+        host.device.exchange(kSet);
+        const Sent sent = host.script.takeSent();
+        ASSERT_EQ(sent, Sent{"SET," + std::to_string(i % 65536) + kSetLengths});
+    }
+    for (const double bad : {std::nan(""), HUGE_VAL, -0.3, 0.0, 1e9}) {
+        SetPoints setPoints = kSet;
+        (*setPoints.lengths)[4] = bad;
+        EXPECT_EQ(count(host.device.exchange(setPoints).notices, Kind::Refused), 1) << bad;
+        EXPECT_EQ(host.script.takeSent(), Sent{}) << bad;
+    }
+    host.script.unsent = 1000; // a slow line: nothing queues up behind it
+    host.device.exchange(kSet);
+    EXPECT_EQ(host.script.takeSent(), Sent{});
+}
+
+TEST(LineDevice, StopBeatsEverythingAndIsRepeatedUntilConfirmed) {
+    for (const bool byState : {true, false}) {
+        Host host;
+        host.connect();
+        host.script.len(0, 1);
+        host.device.exchange({*kSet.lengths, DeviceRequest::Stop});
+        EXPECT_EQ(host.script.takeSent(), Sent{"STOP"});
+        EXPECT_EQ(host.script.dropped, 1);
+        const DeviceFeedback blocked = host.device.exchange(request(DeviceRequest::Enable));
+        EXPECT_EQ(count(blocked.notices, Kind::Refused), 1);
+        host.pass(285ms, kSet);
+        EXPECT_EQ(host.script.takeSent(), (Sent{"STOP", "STOP"})); // no set-point meanwhile
+        if (byState)
+            host.script.len(1, 2, 'S');
+        else
+            host.script.say("OK,STOP");
+        host.device.exchange({});
+        host.script.takeSent();
+        EXPECT_EQ(count(host.pass(800ms).notices, Kind::NoAnswer), 0);
+        EXPECT_EQ(host.script.takeSent(), Sent{});
+    }
+}
+
+TEST(LineDevice, StopIsSentEvenBeforeTheControllerIsKnownAndGivesUpInTheEnd) {
+    Host host;
+    host.device.exchange(request(DeviceRequest::Stop));
+    const DeviceFeedback feedback = host.pass(20s);
+    ASSERT_EQ(count(feedback.notices, Kind::NoAnswer), 1);
+    EXPECT_EQ(feedback.notices[0].request, "STOP");
+    const int stops = count(host.script.takeSent(), "STOP");
+    EXPECT_GE(stops, 30);
+    EXPECT_LE(stops, 51);
+}
+
+TEST(LineDevice, RequestsGoOutOnceAndAMissingAnswerIsTold) {
+    const std::pair<DeviceRequest, const char*> rows[] = {{DeviceRequest::Reference, "HOME"},
+                                                          {DeviceRequest::Enable, "ENABLE"},
+                                                          {DeviceRequest::Disable, "DISABLE"},
+                                                          {DeviceRequest::Clear, "CLEAR"}};
+    for (const auto& [what, type] : rows) {
+        Host host;
+        EXPECT_EQ(count(host.device.exchange(request(what)).notices, Kind::Refused), 1)
+            << "not connected yet";
+        host.script.takeSent();
+        host.connect();
+        host.device.exchange(request(what));
+        EXPECT_EQ(host.script.takeSent(), Sent{type});
+        EXPECT_EQ(count(host.pass(900ms).notices, Kind::NoAnswer), 0);
+        const DeviceFeedback late = host.pass(5s);
+        ASSERT_EQ(count(late.notices, Kind::NoAnswer), 1);
+        EXPECT_EQ(late.notices[0].request, type);
+        EXPECT_EQ(count(host.script.takeSent(), type), 0);
+
+        host.script.say("OK," + std::string(type), 1ms);
+        host.device.exchange(request(what));
+        EXPECT_EQ(count(host.pass(3s).notices, Kind::NoAnswer), 0);
+        host.script.say("ERR," + std::string(type) + ",STATE,not now, later", 1ms);
+        const DeviceFeedback refused = host.device.exchange(request(what));
+        ASSERT_EQ(count(refused.notices, Kind::Refused), 1);
+        EXPECT_EQ(refused.notices[0].request, type);
+        EXPECT_EQ(refused.notices[0].text, "STATE not now, later");
+    }
+}
+
+TEST(LineDevice, ASilentControllerGetsNoSetPointsButIsAskedAgain) {
+    Host host;
+    host.connect();
+    host.script.len(0, 1);
+    host.pass(5ms);
+    EXPECT_EQ(host.pass(10s, kSet).link, LinkState::Connected);
+    const Sent sent = host.script.takeSent();
+    EXPECT_NEAR(count(sent, "SET"), 1000 / 15, 3);
+    EXPECT_NEAR(count(sent, "HELLO"), 9000 / 400, 3);
+    host.script.say("IDENT,1,arm,6,10,250,350");
+    host.script.len(1000, 10000000);
+    const DeviceFeedback back = host.device.exchange(kSet);
+    EXPECT_TRUE(back.lengths);
+    EXPECT_EQ(back.notices.size(), 0U);
+    host.script.takeSent();
+    host.pass(100ms, kSet);
+    EXPECT_EQ(count(host.script.takeSent(), "SET"), 7);
+}
+
+TEST(LineDevice, AFaultAndAForeignControllerAreTold) {
+    Host host;
+    host.script.say("IDENT,2,future,8,10");
+    host.script.say("IDENT,2,future,8,10");
+    DeviceFeedback feedback = host.pass(50ms, kSet);
+    EXPECT_EQ(feedback.link, LinkState::Connecting);
+    ASSERT_EQ(count(feedback.notices, Kind::Refused), 1); // once, however often it says so
+    EXPECT_EQ(feedback.notices[0].request, "IDENT");
+    EXPECT_NE(feedback.notices[0].text.find("version 2"), std::string::npos);
+    EXPECT_EQ(feedback.counters.droppedFields, 2U);
+    host.script.say("FAULT,7,drive 3, hot");
+    feedback = host.device.exchange({});
+    ASSERT_EQ(count(feedback.notices, Kind::Fault), 1);
+    EXPECT_EQ(feedback.notices[0].request + "|" + feedback.notices[0].text, "7|drive 3, hot");
+}
+
+} // namespace
+} // namespace hexapose

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: MIT
+
+#include "core/device/reconnecting_device.h"
+
+#include "core/device/byte_channel.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace hexapose {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Measures a few times, then is lost.
+class ShortLived final : public PlatformDevice {
+public:
+    explicit ShortLived(std::vector<DeviceRequest>& seen) : m_seen(seen) {}
+    DeviceFeedback exchange(const SetPoints& setPoints) override {
+        m_seen.push_back(setPoints.request);
+        DeviceFeedback feedback;
+        feedback.link = m_left-- > 0 ? LinkState::Connected : LinkState::Lost;
+        if (feedback.link == LinkState::Lost)
+            feedback.notices.push_back({DeviceNotice::Kind::LinkLost, {}, "unplugged"});
+        else
+            feedback.receivedAt = std::chrono::steady_clock::now();
+        return feedback;
+    }
+
+private:
+    std::vector<DeviceRequest>& m_seen;
+    int m_left = 2;
+};
+
+TEST(ReconnectingDevice, OpensAgainAndTellsEachLossOnce) {
+    std::vector<DeviceRequest> seen;
+    int opened = 0;
+    ReconnectingDevice device(
+        [&]() -> std::unique_ptr<PlatformDevice> {
+            ++opened;
+            if (opened == 3 || opened == 4)
+                throw ChannelError("no such port");
+            return std::make_unique<ShortLived>(seen);
+        },
+        0ms);
+    std::string links;
+    std::vector<std::string> notices;
+    for (int i = 0; i < 11; ++i) {
+        const DeviceFeedback feedback =
+            device.exchange({std::nullopt, i == 7 ? DeviceRequest::Stop : DeviceRequest::None});
+        links += feedback.link == LinkState::Lost ? 'L' : 'C';
+        for (const DeviceNotice& notice : feedback.notices)
+            notices.push_back(std::to_string(i) + notice.text);
+        EXPECT_NE(feedback.receivedAt, std::chrono::steady_clock::time_point{}); // kept over a loss
+    }
+    EXPECT_EQ(links, "CCLCCLLLCCL");
+    EXPECT_EQ(notices, (std::vector<std::string>{"2unplugged", "5unplugged", "10unplugged"}));
+    // What was asked for while there was no port is not made up for.
+    EXPECT_EQ(seen, std::vector<DeviceRequest>(9, DeviceRequest::None));
+}
+
+TEST(ReconnectingDevice, TellsAFirstOpeningThatFailsOnce) {
+    int opened = 0;
+    ReconnectingDevice device(
+        [&]() -> std::unique_ptr<PlatformDevice> {
+            ++opened;
+            throw ChannelError("no permission");
+        },
+        0ms);
+    const DeviceFeedback first = device.exchange({});
+    EXPECT_EQ(first.link, LinkState::Lost);
+    ASSERT_EQ(first.notices.size(), 1U);
+    EXPECT_EQ(first.notices[0].text, "no permission");
+    EXPECT_TRUE(device.exchange({}).notices.empty());
+    EXPECT_EQ(opened, 2);
+    ReconnectingDevice patient(
+        [&]() -> std::unique_ptr<PlatformDevice> { throw ChannelError(std::to_string(++opened)); }, 1h);
+    patient.exchange({});
+    patient.exchange({});
+    EXPECT_EQ(opened, 3);
+}
+
+} // namespace
+} // namespace hexapose
