@@ -1,4 +1,939 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
+<context>
+    <name>hexapose::Banner</name>
+    <message>
+        <source>Training the model of this platform; it is kept for the next time</source>
+        <translation>正在训练该平台的模型，训练结果会保留供下次使用</translation>
+    </message>
+    <message>
+        <source>The link is lost; trying again</source>
+        <translation>连接已断开，正在重试</translation>
+    </message>
+    <message>
+        <source>The link is lost: %1; trying again</source>
+        <translation>连接已断开：%1；正在重试</translation>
+    </message>
+    <message>
+        <source>Waiting for the controller to answer</source>
+        <translation>正在等待控制器应答</translation>
+    </message>
+    <message>
+        <source>No valid measurement for %1 s: the values shown are old</source>
+        <translation>已有 %1 s 没有有效测量值：显示的是旧值</translation>
+    </message>
+    <message>
+        <source>The log cannot be written: %1</source>
+        <translation>无法写入日志：%1</translation>
+    </message>
+    <message>
+        <source>An unprotected sender of lengths: errors on the line stay unseen, and it takes no commands</source>
+        <translation>无校验的杆长数据源：线路错误无法发现，也不接受命令</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Cancel the training</source>
+        <translation>取消训练</translation>
+    </message>
+    <message>
+        <source>Training progress</source>
+        <translation>训练进度</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>消息</translation>
+    </message>
+</context>
+<context>
+    <name>hexapose::ChartPage</name>
+    <message>
+        <source>Leg %1</source>
+        <translation>支腿 %1</translation>
+    </message>
+    <message>
+        <source>Error of %1</source>
+        <translation>%1 误差</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation>时间，s</translation>
+    </message>
+    <message>
+        <source>Attitude</source>
+        <translation>位姿</translation>
+    </message>
+    <message>
+        <source>Legs</source>
+        <translation>支腿</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>误差</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>继续</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Shorter time window</source>
+        <translation>缩短时间窗</translation>
+    </message>
+    <message>
+        <source>Longer time window</source>
+        <translation>延长时间窗</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>实测</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>目标</translation>
+    </message>
+</context>
+<context>
+    <name>hexapose::ConnectionPanel</name>
+    <message>
+        <source>Virtual platform</source>
+        <translation>虚拟平台</translation>
+    </message>
+    <message>
+        <source>Connection</source>
+        <translation>连接</translation>
+    </message>
+    <message>
+        <source>The built-in virtual platform, or a serial port; any path can be typed</source>
+        <translation>内置虚拟平台或串口；可输入任意路径</translation>
+    </message>
+    <message>
+        <source>Baud rate</source>
+        <translation>波特率</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>断开</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>接通</translation>
+    </message>
+    <message>
+        <source>Stop, disable and close the port</source>
+        <translation>停止、去使能并关闭端口</translation>
+    </message>
+    <message>
+        <source>Open the port; nothing moves</source>
+        <translation>打开端口；不会产生运动</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>回参考点</translation>
+    </message>
+    <message>
+        <source>Find the reference of the legs</source>
+        <translation>寻找各支腿的参考点</translation>
+    </message>
+    <message>
+        <source>Disable</source>
+        <translation>去使能</translation>
+    </message>
+    <message>
+        <source>Enable</source>
+        <translation>使能</translation>
+    </message>
+    <message>
+        <source>Take the drives off</source>
+        <translation>关闭驱动器</translation>
+    </message>
+    <message>
+        <source>Put the drives on</source>
+        <translation>打开驱动器</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>清除</translation>
+    </message>
+    <message>
+        <source>Leave a stop or a fault; nothing moves</source>
+        <translation>退出停止或故障状态；不会产生运动</translation>
+    </message>
+</context>
+<context>
+    <name>hexapose::Console</name>
+    <message>
+        <source>The training of the model was cancelled</source>
+        <translation>模型训练已取消</translation>
+    </message>
+    <message>
+        <source>The model could not be trained: %1</source>
+        <translation>模型无法训练：%1</translation>
+    </message>
+    <message>
+        <source>Newton&apos;s method is used in its place.</source>
+        <translation>改用牛顿法。</translation>
+    </message>
+</context>
+<context>
+    <name>hexapose::EventList</name>
+    <message>
+        <source>Events</source>
+        <translation>事件</translation>
+    </message>
+</context>
+<context>
+    <name>hexapose::EventText</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>the last measurement is too old</source>
+        <translation>最近的测量值太旧</translation>
+    </message>
+    <message>
+        <source>Connected</source>
+        <translation>已连接</translation>
+    </message>
+    <message>
+        <source>An unprotected sender of lengths</source>
+        <translation>无校验的杆长数据源</translation>
+    </message>
+    <message>
+        <source>Its values are shown, but it takes no commands and errors on the line stay unseen.</source>
+        <translation>其数值会显示，但它不接受命令，线路错误也无法发现。</translation>
+    </message>
+    <message>
+        <source>The link is lost</source>
+        <translation>连接已断开</translation>
+    </message>
+    <message>
+        <source>Check the cable and the port; the console keeps trying.</source>
+        <translation>请检查电缆和端口；控制台会持续重试。</translation>
+    </message>
+    <message>
+        <source>No valid measurement for %1 ms</source>
+        <translation>已有 %1 ms 没有有效测量值</translation>
+    </message>
+    <message>
+        <source>The values shown are old. Check the controller and the line.</source>
+        <translation>显示的是旧值。请检查控制器和线路。</translation>
+    </message>
+    <message>
+        <source>Measurements are back</source>
+        <translation>测量值已恢复</translation>
+    </message>
+    <message>
+        <source>The controller&apos;s clock went back</source>
+        <translation>控制器时钟回退</translation>
+    </message>
+    <message>
+        <source>It was probably restarted. Reference it again if it asks for it.</source>
+        <translation>控制器可能已重启。如有要求，请重新回参考点。</translation>
+    </message>
+    <message>
+        <source>The controller did not answer</source>
+        <translation>控制器未应答</translation>
+    </message>
+    <message>
+        <source>Try again; if it stays silent, check the controller and the line.</source>
+        <translation>请重试；若仍无应答，请检查控制器和线路。</translation>
+    </message>
+    <message>
+        <source>Find the cause, press Clear, then Run.</source>
+        <translation>请查明原因，按“清除”，再按“运行”。</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Press Clear before the next Run.</source>
+        <translation>再次运行前请先按“清除”。</translation>
+    </message>
+    <message>
+        <source>The controller stopped the move</source>
+        <translation>控制器停止了运动</translation>
+    </message>
+    <message>
+        <source>Stopped: the measurements stayed away</source>
+        <translation>已停止：测量值中断</translation>
+    </message>
+    <message>
+        <source>Stopped: the lengths gave no usable pose</source>
+        <translation>已停止：杆长得不到可用的位姿</translation>
+    </message>
+    <message>
+        <source>Stopped: the controller refused a set-point</source>
+        <translation>已停止：控制器拒绝了设定值</translation>
+    </message>
+    <message>
+        <source>The control loop ended</source>
+        <translation>控制循环已结束</translation>
+    </message>
+    <message>
+        <source>Disconnect and connect again; keep the log for the maker.</source>
+        <translation>请断开后重新连接；并保留日志供厂家分析。</translation>
+    </message>
+    <message>
+        <source>Fault of the controller</source>
+        <translation>控制器故障</translation>
+    </message>
+    <message>
+        <source>Remove the cause at the machine, then press Clear.</source>
+        <translation>请在设备上排除故障，再按“清除”。</translation>
+    </message>
+    <message>
+        <source>The move was refused</source>
+        <translation>运动被拒绝</translation>
+    </message>
+    <message>
+        <source>Nothing moved. Change the target.</source>
+        <translation>未产生运动。请修改目标。</translation>
+    </message>
+    <message>
+        <source>The move did not begin: the platform could not be made ready</source>
+        <translation>运动未开始：平台无法就绪</translation>
+    </message>
+    <message>
+        <source>Press Reference or Enable and see what the controller answers.</source>
+        <translation>请按“回参考点”或“使能”，查看控制器的应答。</translation>
+    </message>
+    <message>
+        <source>The controller refused</source>
+        <translation>控制器拒绝</translation>
+    </message>
+    <message>
+        <source>See the controller&apos;s manual for the code.</source>
+        <translation>请在控制器手册中查找该代码。</translation>
+    </message>
+    <message>
+        <source>The command cannot be carried out in this state</source>
+        <translation>当前状态下无法执行该命令</translation>
+    </message>
+    <message>
+        <source>After a stop or a fault press Clear first.</source>
+        <translation>停止或故障后请先按“清除”。</translation>
+    </message>
+    <message>
+        <source>The legs had not settled after %1 s</source>
+        <translation>各支腿在 %1 s 后仍未稳定</translation>
+    </message>
+    <message>
+        <source>Look at the leg errors: load, friction or a drive&apos;s gain may be the cause.</source>
+        <translation>请查看支腿误差：原因可能是负载、摩擦或驱动器增益。</translation>
+    </message>
+    <message>
+        <source>The log cannot be written</source>
+        <translation>无法写入日志</translation>
+    </message>
+    <message>
+        <source>Free space on the disk, then connect again.</source>
+        <translation>请释放磁盘空间，然后重新连接。</translation>
+    </message>
+    <message>
+        <source>Referencing the legs</source>
+        <translation>各支腿正在回参考点</translation>
+    </message>
+    <message>
+        <source>The legs are referenced</source>
+        <translation>各支腿已回参考点</translation>
+    </message>
+    <message>
+        <source>Enabled</source>
+        <translation>已使能</translation>
+    </message>
+    <message>
+        <source>Disabled</source>
+        <translation>未使能</translation>
+    </message>
+    <message>
+        <source>Move started, %1 s planned</source>
+        <translation>运动开始，计划 %1 s</translation>
+    </message>
+    <message>
+        <source>Settled after %1 s</source>
+        <translation>%1 s 后稳定</translation>
+    </message>
+    <message>
+        <source>Cleared</source>
+        <translation>已清除</translation>
+    </message>
+    <message>
+        <source>Press Run when it is safe to move.</source>
+        <translation>确认可安全运动后按“运行”。</translation>
+    </message>
+    <message>
+        <source>Sample %1 of the report taken</source>
+        <translation>已取得报告样本 %1</translation>
+    </message>
+</context>
+<context>
+    <name>hexapose::LegsPanel</name>
+    <message>
+        <source>Legs</source>
+        <translation>支腿</translation>
+    </message>
+    <message>
+        <source>commanded, mm</source>
+        <translation>指令，mm</translation>
+    </message>
+    <message>
+        <source>measured, mm</source>
+        <translation>实测，mm</translation>
+    </message>
+    <message>
+        <source>error, mm</source>
+        <translation>误差，mm</translation>
+    </message>
+    <message>
+        <source>within the stroke</source>
+        <translation>行程内位置</translation>
+    </message>
+    <message>
+        <source>Leg %1 commanded</source>
+        <translation>支腿 %1 指令值</translation>
+    </message>
+    <message>
+        <source>Leg %1 measured</source>
+        <translation>支腿 %1 实测值</translation>
+    </message>
+    <message>
+        <source>Leg %1 error</source>
+        <translation>支腿 %1 误差</translation>
+    </message>
+    <message>
+        <source>Leg %1 within its stroke</source>
+        <translation>支腿 %1 行程内位置</translation>
+    </message>
+</context>
+<context>
+    <name>hexapose::OperatorWindow</name>
+    <message>
+        <source>The log cannot be created, so nothing was connected: %1</source>
+        <translation>无法创建日志，因此未连接：%1</translation>
+    </message>
+    <message>
+        <source>Free space or choose another folder with --log-dir.</source>
+        <translation>请释放磁盘空间，或用 --log-dir 另选文件夹。</translation>
+    </message>
+    <message>
+        <source>Close Hexapose</source>
+        <translation>关闭 Hexapose</translation>
+    </message>
+    <message>
+        <source>The platform is enabled. Stop it, disable it and close?</source>
+        <translation>平台已使能。是否停止、去使能并关闭？</translation>
+    </message>
+    <message>
+        <source>Stop, disable and close</source>
+        <translation>停止、去使能并关闭</translation>
+    </message>
+    <message>
+        <source>Keep running</source>
+        <translation>继续运行</translation>
+    </message>
+    <message>
+        <source>Hexapose</source>
+        <translation>Hexapose</translation>
+    </message>
+    <message>
+        <source>Console</source>
+        <translation>控制台</translation>
+    </message>
+    <message>
+        <source>Charts, legs and pose</source>
+        <translation>曲线、支腿与位姿</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>报告</translation>
+    </message>
+    <message>
+        <source>The error report and its samples</source>
+        <translation>误差报告及其样本</translation>
+    </message>
+    <message>
+        <source>Export report</source>
+        <translation>导出报告</translation>
+    </message>
+    <message>
+        <source>Write report.pdf, errors.csv, errors.png and errors.svg</source>
+        <translation>写出 report.pdf、errors.csv、errors.png 和 errors.svg</translation>
+    </message>
+</context>
+<context>
+    <name>hexapose::PosePanel</name>
+    <message>
+        <source>Pose</source>
+        <translation>位姿</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>实测</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>误差</translation>
+    </message>
+    <message>
+        <source>expected</source>
+        <translation>预期</translation>
+    </message>
+    <message>
+        <source>The largest error that the 0.1 mm resolution of the lengths explains</source>
+        <translation>由 0.1 mm 杆长分辨率所能解释的最大误差</translation>
+    </message>
+    <message>
+        <source>Path %1</source>
+        <translation>路径 %1</translation>
+    </message>
+    <message>
+        <source>Measured %1</source>
+        <translation>实测 %1</translation>
+    </message>
+    <message>
+        <source>Error %1</source>
+        <translation>误差 %1</translation>
+    </message>
+    <message>
+        <source>Expected error %1</source>
+        <translation>预期误差 %1</translation>
+    </message>
+</context>
+<context>
+    <name>hexapose::ReadOut</name>
+    <message>
+        <source>Old value</source>
+        <translation>旧值</translation>
+    </message>
+</context>
+<context>
+    <name>hexapose::ReportPanel</name>
+    <message>
+        <source>The list of attitudes cannot be used: %1</source>
+        <translation>无法使用该位姿列表：%1</translation>
+    </message>
+    <message>
+        <source>Mend the file, or choose another.</source>
+        <translation>请修正该文件，或另选文件。</translation>
+    </message>
+    <message>
+        <source>There is no settled attitude to report yet</source>
+        <translation>尚无已稳定的位姿可供报告</translation>
+    </message>
+    <message>
+        <source>Press Run or Run report; the files are written once the first has settled.</source>
+        <translation>请按“运行”或“运行报告”；首个位姿稳定后即写出文件。</translation>
+    </message>
+    <message>
+        <source>Report written to %1</source>
+        <translation>报告已写入 %1</translation>
+    </message>
+    <message>
+        <source>The report cannot be written: %1</source>
+        <translation>无法写出报告：%1</translation>
+    </message>
+    <message>
+        <source>Choose another folder.</source>
+        <translation>请另选文件夹。</translation>
+    </message>
+    <message>
+        <source>List of attitudes</source>
+        <translation>位姿列表</translation>
+    </message>
+    <message>
+        <source>Attitudes (*.csv);;All files (*)</source>
+        <translation>位姿 (*.csv);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 attitudes done</source>
+        <translation>已完成 %1 / %2 个位姿</translation>
+    </message>
+    <message>
+        <source>Ended early: %1</source>
+        <translation>提前结束：%1</translation>
+    </message>
+    <message>
+        <source>Each settled Run becomes a sample too: 1 s of lengths, averaged, solved and compared with its target.</source>
+        <translation>每次稳定后的运行也成为一个样本：取 1 s 杆长平均，求解后与目标比较。</translation>
+    </message>
+    <message>
+        <source>Folder of the report</source>
+        <translation>报告文件夹</translation>
+    </message>
+    <message>
+        <source>Attitudes</source>
+        <translation>位姿</translation>
+    </message>
+    <message>
+        <source>10 at random, within 10 mm and 10°</source>
+        <translation>随机 10 个，±10 mm、±10° 以内</translation>
+    </message>
+    <message>
+        <source>From CSV...</source>
+        <translation>从 CSV…</translation>
+    </message>
+    <message>
+        <source>Columns x_mm, y_mm, z_mm, alpha_deg, beta_deg, gamma_deg</source>
+        <translation>列：x_mm, y_mm, z_mm, alpha_deg, beta_deg, gamma_deg</translation>
+    </message>
+    <message>
+        <source>Run report</source>
+        <translation>运行报告</translation>
+    </message>
+    <message>
+        <source>Move to each attitude in turn and measure it; the platform moves</source>
+        <translation>依次运动到每个位姿并测量；平台会运动</translation>
+    </message>
+    <message>
+        <source>Clear samples</source>
+        <translation>清空样本</translation>
+    </message>
+    <message>
+        <source>Put the samples away</source>
+        <translation>丢弃全部样本</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>样本</translation>
+    </message>
+    <message>
+        <source>Preview of the report</source>
+        <translation>报告预览</translation>
+    </message>
+    <message>
+        <source>No samples yet</source>
+        <translation>尚无样本</translation>
+    </message>
+    <message>
+        <source>Report progress</source>
+        <translation>报告进度</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>文件夹</translation>
+    </message>
+    <message>
+        <source>Report folder</source>
+        <translation>报告文件夹</translation>
+    </message>
+    <message>
+        <source>Choose...</source>
+        <translation>选择…</translation>
+    </message>
+    <message>
+        <source>Choose the folder of the report</source>
+        <translation>选择报告文件夹</translation>
+    </message>
+    <message>
+        <source>Choose report folder</source>
+        <translation>选择报告文件夹</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>Report files</source>
+        <translation>报告文件</translation>
+    </message>
+</context>
+<context>
+    <name>hexapose::SampleTable</name>
+    <message>
+        <source>No.</source>
+        <translation>序号</translation>
+    </message>
+    <message>
+        <source>Solution</source>
+        <translation>求解</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>平均</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>均方根</translation>
+    </message>
+    <message>
+        <source>largest</source>
+        <translation>最大</translation>
+    </message>
+</context>
+<context>
+    <name>hexapose::StatusPanel</name>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>频率</translation>
+    </message>
+    <message>
+        <source>Age</source>
+        <translation>数据龄期</translation>
+    </message>
+    <message>
+        <source>Solver</source>
+        <translation>求解器</translation>
+    </message>
+    <message>
+        <source>Iterations</source>
+        <translation>迭代</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>残差</translation>
+    </message>
+    <message>
+        <source>Dropped frames</source>
+        <translation>丢弃帧</translation>
+    </message>
+    <message>
+        <source>Platform</source>
+        <translation>平台</translation>
+    </message>
+</context>
+<context>
+    <name>hexapose::StatusText</name>
+    <message>
+        <source>Disconnected</source>
+        <translation>未连接</translation>
+    </message>
+    <message>
+        <source>Not referenced</source>
+        <translation>未回参考点</translation>
+    </message>
+    <message>
+        <source>Disabled</source>
+        <translation>未使能</translation>
+    </message>
+    <message>
+        <source>Enabled</source>
+        <translation>已使能</translation>
+    </message>
+    <message>
+        <source>Moving</source>
+        <translation>运动中</translation>
+    </message>
+    <message>
+        <source>Settling</source>
+        <translation>稳定中</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>已停止</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>故障</translation>
+    </message>
+    <message>
+        <source>Converged</source>
+        <translation>已收敛</translation>
+    </message>
+    <message>
+        <source>Iteration limit reached</source>
+        <translation>达到迭代上限</translation>
+    </message>
+    <message>
+        <source>Singular</source>
+        <translation>奇异</translation>
+    </message>
+    <message>
+        <source>No pose has these lengths</source>
+        <translation>没有位姿符合这些杆长</translation>
+    </message>
+    <message>
+        <source>Invalid lengths</source>
+        <translation>杆长无效</translation>
+    </message>
+    <message>
+        <source>Outside the model&apos;s range</source>
+        <translation>超出模型范围</translation>
+    </message>
+    <message>
+        <source>Pose of another assembly</source>
+        <translation>属于另一装配构型的位姿</translation>
+    </message>
+</context>
+<context>
+    <name>hexapose::TargetPanel</name>
+    <message>
+        <source>Target %1 is not a number</source>
+        <translation>目标 %1 不是数字</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>Target x</source>
+        <translation>目标 x</translation>
+    </message>
+    <message>
+        <source>Target y</source>
+        <translation>目标 y</translation>
+    </message>
+    <message>
+        <source>Target z</source>
+        <translation>目标 z</translation>
+    </message>
+    <message>
+        <source>Target alpha</source>
+        <translation>目标 alpha</translation>
+    </message>
+    <message>
+        <source>Target beta</source>
+        <translation>目标 beta</translation>
+    </message>
+    <message>
+        <source>Target gamma</source>
+        <translation>目标 gamma</translation>
+    </message>
+    <message>
+        <source>Rotation in degrees</source>
+        <translation>转角，单位：度</translation>
+    </message>
+    <message>
+        <source>Displacement in mm</source>
+        <translation>位移，单位：mm</translation>
+    </message>
+    <message>
+        <source>How far this axis alone can go from the present pose</source>
+        <translation>其他轴不动时，该轴从当前位姿可到达的范围</translation>
+    </message>
+    <message>
+        <source>range from here</source>
+        <translation>当前可达范围</translation>
+    </message>
+    <message>
+        <source>Validity</source>
+        <translation>可达性</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>运行</translation>
+    </message>
+    <message>
+        <source>Move to the target; references and enables first when that is needed</source>
+        <translation>运动到目标；必要时先回参考点并使能</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Stop the motion (Esc). This is not the emergency stop of the machine.</source>
+        <translation>停止运动（Esc）。这不是设备的急停。</translation>
+    </message>
+    <message>
+        <source>Stop  (Esc)</source>
+        <translation>停止 (Esc)</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>复位</translation>
+    </message>
+    <message>
+        <source>Put the home pose into the fields; nothing moves</source>
+        <translation>将零位填入各栏；不会产生运动</translation>
+    </message>
+    <message>
+        <source>Copy measured</source>
+        <translation>取实测值</translation>
+    </message>
+    <message>
+        <source>Put the measured pose into the fields; nothing moves</source>
+        <translation>将实测位姿填入各栏；不会产生运动</translation>
+    </message>
+</context>
+<context>
+    <name>hexapose::VerdictText</name>
+    <message>
+        <source>Leg %1 would be %2 mm, above its maximum %3 mm (by %4 mm)</source>
+        <translation>支腿 %1 将为 %2 mm，超过上限 %3 mm（超出 %4 mm）</translation>
+    </message>
+    <message>
+        <source>Leg %1 would be %2 mm, below its minimum %3 mm (by %4 mm)</source>
+        <translation>支腿 %1 将为 %2 mm，低于下限 %3 mm（差 %4 mm）</translation>
+    </message>
+    <message>
+        <source>Reachable</source>
+        <translation>可到达</translation>
+    </message>
+    <message>
+        <source>A coordinate is not a number</source>
+        <translation>有坐标不是数字</translation>
+    </message>
+    <message>
+        <source>Too close to a singular pose: margin %1, at least %2 is needed</source>
+        <translation>过于接近奇异位姿：裕度 %1，至少需要 %2</translation>
+    </message>
+    <message>
+        <source>The legs would lead to another pose than the target</source>
+        <translation>支腿会导向与目标不同的位姿</translation>
+    </message>
+    <message>
+        <source>The path comes too close to a singular pose at %1 % of the way</source>
+        <translation>路径在 %1 % 处过于接近奇异位姿</translation>
+    </message>
+    <message>
+        <source>Leg %1 would be above its maximum</source>
+        <translation>支腿 %1 将超过上限</translation>
+    </message>
+    <message>
+        <source>Leg %1 would be below its minimum</source>
+        <translation>支腿 %1 将低于下限</translation>
+    </message>
+    <message>
+        <source>Too close to a singular pose</source>
+        <translation>过于接近奇异位姿</translation>
+    </message>
+</context>
+<context>
+    <name>hexapose::WindowMenu</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>文件(&amp;F)</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>退出(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>视图(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>语言(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>主题(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>浅色(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>深色(&amp;D)</translation>
+    </message>
+</context>
 </TS>

@@ -17,6 +17,7 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QStackedWidget>
 
 namespace hexapose {
 
@@ -28,7 +29,7 @@ constexpr int kSilenceMs = 500;   // a loop that gives nothing for so long has s
 
 double seconds(std::chrono::nanoseconds time) { return std::chrono::duration<double>(time).count(); }
 
-bool isEnabled(RunState state) {
+bool drivesAreOn(RunState state) {
     return state == RunState::Enabled || state == RunState::Moving || state == RunState::Settling;
 }
 
@@ -190,7 +191,7 @@ void OperatorWindow::showLatest() {
 void OperatorWindow::showPage(int page) { m_pageGroup->button(page)->setChecked(true); }
 
 void OperatorWindow::closeEvent(QCloseEvent* event) {
-    if (!m_closeAllowed && m_session && m_session->isOpen() && isEnabled(m_latest.state)) {
+    if (!m_closeAllowed && m_session && m_session->isOpen() && drivesAreOn(m_latest.state)) {
         event->ignore();
         askBeforeClosing();
         return;

@@ -66,6 +66,7 @@ QWidget* OperatorWindow::buildHeader() {
     }
     m_consolePage->setChecked(true);
     m_export = new QPushButton(header);
+    m_export->setObjectName(QStringLiteral("exportReport"));
     auto* row = new QHBoxLayout(header);
     row->setContentsMargins(12, 6, 12, 6);
     row->setSpacing(6);

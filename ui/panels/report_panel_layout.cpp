@@ -45,7 +45,8 @@ QWidget* ReportPanel::buildTop() {
     m_list->addItem(QString());
     m_browseList = new QPushButton(top);
     m_run = new QPushButton(top);
-    m_run->setObjectName(QStringLiteral("primary"));
+    m_run->setProperty("kind", "primary");
+    m_run->setObjectName(QStringLiteral("runReport"));
     m_clear = new QPushButton(top);
     m_progress = new TextReadOut(1, top);
     auto* row = new QHBoxLayout;

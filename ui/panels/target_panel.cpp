@@ -74,8 +74,10 @@ void TargetPanel::build() {
     body()->addLayout(validity);
 
     m_run = new QPushButton(this);
-    m_run->setObjectName(QStringLiteral("primary"));
+    m_run->setProperty("kind", "primary");
+    m_run->setObjectName(QStringLiteral("run"));
     m_stop = new QPushButton(this);
+    m_stop->setProperty("kind", "stop");
     m_stop->setObjectName(QStringLiteral("stop"));
     m_reset = new QPushButton(this);
     m_copy = new QPushButton(this);

@@ -4,6 +4,7 @@
 
 #include "ui/common/language.h"
 
+#include <QAction>
 #include <QActionGroup>
 #include <QEvent>
 #include <QMainWindow>

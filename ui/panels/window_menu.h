@@ -6,7 +6,7 @@
 
 #include <QObject>
 
-class QActionGroup;
+class QAction;
 class QMainWindow;
 class QMenu;
 

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/operator/model_job.h"
+#include "app/operator/operator_options.h"
+#include "core/geometry/platform_geometry.h"
+#include "ui/common/language.h"
+#include "ui/panels/operator_window.h"
+
+#include <QObject>
+
+class QApplication;
+class QSettings;
+
+namespace hexapose {
+
+/// Puts the console together: look, language, window, model, session.
+class Console final : public QObject {
+    Q_OBJECT
+public:
+    Console(QApplication& application, const OperatorOptions& options, const PlatformGeometry& geometry);
+    ~Console() override;
+    void start();
+    OperatorWindow& window() { return *m_window; }
+
+private:
+    void chooseLook(QSettings& settings);
+    void openSession(const ReadySolver& solver);
+    void useNewton(const QString& reason);
+
+    QApplication& m_application;
+    OperatorOptions m_options;
+    PlatformGeometry m_geometry;
+    LanguageSwitch m_language;
+    ThemeKind m_theme = ThemeKind::Light;
+    std::unique_ptr<OperatorWindow> m_window;
+    ModelJob m_model;
+};
+
+} // namespace hexapose

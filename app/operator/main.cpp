@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/common/directories.h"
+#include "app/operator/console.h"
+#include "app/operator/headless_job.h"
+#include "app/operator/operator_options.h"
+#include "core/geometry/geometry_file.h"
+#include "core/geometry/input_error.h"
+
+#include <QApplication>
+#include <QLocale>
+
+#include <clocale>
+#include <cstdio>
+#include <cstdlib>
+#include <unistd.h>
+
+namespace {
+
+using namespace hexapose;
+
+constexpr int kBadInput = 2;
+
+int refuse(const char* message) {
+    std::fprintf(stderr, "hexapose: %s\n", message);
+    return kBadInput;
+}
+
+bool hasDisplay() {
+    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) {
+        if (const char* value = std::getenv(name); value != nullptr && *value != '\0') {
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Qt ends the program when a display is named that cannot be used; say it in one line and with our status.
+void tellMessage(QtMsgType type, const QMessageLogContext& /*context*/, const QString& message) {
+    if (type == QtFatalMsg) {
+        std::fprintf(stderr, "hexapose: the display cannot be used; --headless works without one\n");
+        std::fflush(nullptr);
+        _exit(kBadInput);
+    }
+    // What Qt says about its search for a display is covered by the line above.
+    if (QCoreApplication::instance() != nullptr) {
+        std::fprintf(stderr, "%s\n", qPrintable(message));
+    }
+}
+
+int runConsole(const OperatorOptions& options, const PlatformGeometry& geometry) {
+    // Our own options are not for Qt: it would take --platform for one of its own.
+    static char name[] = "hexapose";
+    static char* arguments[] = {name, nullptr};
+    int count = 1;
+    qInstallMessageHandler(tellMessage);
+    QApplication application(count, arguments);
+    qInstallMessageHandler(nullptr);
+    // Numbers are written with '.' in every language and on every desktop.
+    std::setlocale(LC_NUMERIC, "C");
+    QLocale::setDefault(QLocale::c());
+    QCoreApplication::setOrganizationName(QStringLiteral("Hexapose"));
+    QCoreApplication::setApplicationName(QStringLiteral("hexapose"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(HEXAPOSE_VERSION));
+    QGuiApplication::setDesktopFileName(QStringLiteral("hexapose"));
+
+    Console console(application, options, geometry);
+    HeadlessJob job(console.window(), options.output);
+    console.start();
+    if (options.headless) {
+        QObject::connect(&job, &HeadlessJob::finished, &application, &QCoreApplication::exit, Qt::QueuedConnection);
+        job.start();
+    }
+    return QApplication::exec();
+}
+
+} // namespace
+
+int main(int argc, char* argv[]) {
+    try {
+        OperatorOptions options = parseOperatorOptions({argv + 1, argv + argc});
+        if (options.help) {
+            std::fputs(operatorHelp().c_str(), stdout);
+            return 0;
+        }
+        if (options.version) {
+            std::puts("hexapose " HEXAPOSE_VERSION);
+            return 0;
+        }
+        const PlatformGeometry geometry = loadPlatform(findPlatformFile(options.platform));
+        if (options.logDirectory.empty()) {
+            options.logDirectory = defaultLogDirectory();
+        }
+        requireWritable(options.logDirectory, "--log-dir");
+        if (!options.output.empty()) {
+            requireWritable(options.output, "--output");
+        }
+        if (options.headless) {
+            qputenv("QT_QPA_PLATFORM", "offscreen");
+        } else if (!hasDisplay()) {
+            return refuse("there is no display; --headless works without one");
+        }
+        return runConsole(options, geometry);
+    } catch (const InputError& error) {
+        return refuse(error.what());
+    }
+}

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/operator/model_job.h"
+
+#include "core/kinematics/forward_methods.h"
+#include "core/kinematics/model_cache.h"
+
+#include <QThread>
+
+#include <exception>
+
+namespace hexapose {
+
+namespace {
+constexpr std::string_view kMethod = "mpr3-nr";
+constexpr std::string_view kMethodWithoutModel = "newton";
+} // namespace
+
+ModelJob::ModelJob(const PlatformGeometry& geometry, const std::filesystem::path& cache, QObject* parent)
+    : QObject(parent), m_geometry(geometry), m_cache(cache) {
+    qRegisterMetaType<ReadySolver>();
+}
+
+ModelJob::~ModelJob() {
+    cancel();
+    if (m_thread) {
+        m_thread->wait();
+    }
+}
+
+void ModelJob::start() {
+    m_thread.reset(QThread::create([this] { work(); }));
+    m_thread->setObjectName(QStringLiteral("model training"));
+    m_thread->start();
+}
+
+// On the job's own thread; a signal is carried over to the receiver's.
+void ModelJob::work() {
+    try {
+        const ForwardMethod* method = findForwardMethod(kMethod);
+        const TrainingSpec spec = defaultTrainingSpec(m_geometry, method->modelDegree);
+        const auto cached = loadOrTrainModel(m_geometry, spec, m_cache, [this](double part) {
+            emit progressed(part);
+            return !m_cancelled;
+        });
+        if (!cached || m_cancelled) {
+            emit cancelled();
+            return;
+        }
+        emit ready({makeForwardSolver(*method, m_geometry, &cached->model, NewtonOptions{}),
+                    cached->model.fingerprint()});
+    } catch (const std::exception& error) {
+        emit failed(QString::fromUtf8(error.what()));
+    }
+}
+
+ReadySolver ModelJob::withoutModel() const {
+    return {makeForwardSolver(*findForwardMethod(kMethodWithoutModel), m_geometry, nullptr, NewtonOptions{}), {}};
+}
+
+} // namespace hexapose

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/platform_geometry.h"
+#include "core/kinematics/forward_solver.h"
+
+#include <QObject>
+
+#include <atomic>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+class QThread;
+
+namespace hexapose {
+
+/// A solver that is ready to be used, and the regression model in it.
+struct ReadySolver {
+    std::shared_ptr<const ForwardSolver> solver;
+    std::string modelFingerprint; ///< empty: no model
+};
+
+/// Reads or trains the model of a platform on a thread of its own; the signals come on the thread of this object.
+class ModelJob final : public QObject {
+    Q_OBJECT
+public:
+    ModelJob(const PlatformGeometry& geometry, const std::filesystem::path& cache, QObject* parent = nullptr);
+    ~ModelJob() override; ///< cancels and waits
+    void start();
+    void cancel() { m_cancelled = true; }
+    /// Newton alone, which needs no model: what remains when the training was cancelled or failed.
+    ReadySolver withoutModel() const;
+
+signals:
+    void progressed(double part);
+    void ready(const hexapose::ReadySolver& solver);
+    void cancelled();
+    void failed(const QString& reason);
+
+private:
+    void work();
+
+    PlatformGeometry m_geometry;
+    std::filesystem::path m_cache;
+    std::atomic<bool> m_cancelled{false};
+    std::unique_ptr<QThread> m_thread;
+};
+
+} // namespace hexapose
+
+Q_DECLARE_METATYPE(hexapose::ReadySolver)

@@ -1,0 +1,36 @@
+# SPDX-FileCopyrightText: 2026 The Hexapose authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Runs lupdate on a copy of each translation and fails when that finds a string which is new, unfinished or gone.
+# Needs LUPDATE, SOURCE_DIR, SCRATCH.
+file(MAKE_DIRECTORY ${SCRATCH})
+file(GLOB translations ${SOURCE_DIR}/translations/*.ts)
+if(NOT translations)
+  message(FATAL_ERROR "no translations in ${SOURCE_DIR}/translations")
+endif()
+foreach(original IN LISTS translations)
+  get_filename_component(name ${original} NAME)
+  set(copy ${SCRATCH}/${name})
+  configure_file(${original} ${copy} COPYONLY)
+  execute_process(COMMAND ${LUPDATE} -silent -locations none -I ${SOURCE_DIR} ${SOURCE_DIR}/ui ${SOURCE_DIR}/app/operator -ts ${copy}
+                  RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "lupdate: ${said}")
+  endif()
+  file(READ ${copy} text)
+  string(REGEX MATCHALL "<message[^>]*>" messages "${text}")
+  list(LENGTH messages count)
+  if(count LESS 1)
+    message(FATAL_ERROR "${name}: holds no strings")
+  endif()
+  # A semicolon would split the text where CMake makes lists of it.
+  string(REPLACE ";" "," text "${text}")
+  string(REGEX MATCHALL "<source>[^<]*</source>[^/]*<translation( type=[^>]*)?(/>|></translation>)" empty "${text}")
+  string(REGEX MATCHALL "<source>[^<]*</source>[^/]*<translation type=\"(unfinished|vanished|obsolete)\"" bad "${text}")
+  set(wrong ${empty} ${bad})
+  list(LENGTH wrong problems)
+  foreach(one IN LISTS wrong)
+    string(REGEX REPLACE "[ \n]+" " " one "${one}")
+    message(SEND_ERROR "${name}: ${one}")
+  endforeach()
+  message(STATUS "${name}: ${count} strings, ${problems} problems")
+endforeach()

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/panels/synthetic_machine.h"
+#include "tests/ui/screen_reader.h"
+#include "ui/common/language.h"
+#include "ui/common/pose_field.h"
+#include "ui/panels/event_list.h"
+#include "ui/panels/operator_window.h"
+
+#include <QAbstractButton>
+#include <QAbstractSpinBox>
+#include <QComboBox>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace hexapose {
+namespace {
+
+using namespace hexapose::testing;
+constexpr int kPatienceMs = 20000; // only against hanging
+
+class OperatorWindowTest : public ::testing::Test {
+protected:
+    OperatorWindowTest()
+        : geometry(laboratoryPlatform()), window(geometry, [] { return QStringList(); }) {
+        SessionSetup setup;
+        setup.geometry = geometry;
+        setup.solver = newtonSolver(geometry);
+        setup.logDirectory = folder.path().toStdString();
+        window.setSession(std::make_unique<Session>(
+            setup, [this](const ConnectionChoice&) { return std::make_unique<InstantDevice>(geometry); }));
+        window.show();
+    }
+    QPushButton* button(const char* name) {
+        return qobject_cast<QPushButton*>(findByName(window, QString::fromLatin1(name)));
+    }
+    QString spoken(const char* name) { return spokenText(window, QString::fromLatin1(name)); }
+    bool waitFor(const std::function<bool()>& condition) { return QTest::qWaitFor(condition, kPatienceMs); }
+    void type(const char* field, const char* text) {
+        auto* found = qobject_cast<PoseField*>(findByName(window, QString::fromLatin1(field)));
+        ASSERT_NE(found, nullptr) << field;
+        found->selectAll();
+        QTest::keyClicks(found, QString::fromLatin1(text));
+    }
+    bool happened(const char* text) {
+        for (int i = 0; i < window.events().count(); ++i) {
+            if (window.events().textAt(i).contains(QString::fromLatin1(text))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    QTemporaryDir folder;
+    PlatformGeometry geometry;
+    OperatorWindow window;
+};
+
+TEST_F(OperatorWindowTest, OperatorsMainJob) {
+    EXPECT_FALSE(button("Run")->isEnabled());
+    button("Connect")->click();
+    ASSERT_TRUE(waitFor([this] { return button("Run")->isEnabled() && spoken("Measured x") == "0.000"; }));
+    type("Target x", "2");
+    type("Target gamma", "1.5");
+    EXPECT_EQ(spoken("Validity"), "Reachable");
+    button("Run")->click();
+    ASSERT_TRUE(waitFor([this] { return happened("Settled after"); }));
+    constexpr double kMm = 0.001;
+    EXPECT_NEAR(spoken("Measured x").toDouble(), 2.0, kMm);
+    EXPECT_NEAR(spoken("Measured gamma").toDouble(), 1.5, kMm);
+    EXPECT_EQ(spoken("State"), "Enabled");
+    EXPECT_FALSE(window.session()->logFile().isEmpty());
+
+    // Closing while enabled asks, and nothing modal is in the way of Stop.
+    window.close();
+    EXPECT_TRUE(window.isVisible());
+    auto* question = window.findChild<QMessageBox*>();
+    ASSERT_NE(question, nullptr);
+    EXPECT_FALSE(question->isModal());
+    button("Stop")->click();
+    ASSERT_TRUE(waitFor([this] { return spoken("State") == "Stopped"; }));
+    button("Run")->click(); // refused, with the reason
+    ASSERT_TRUE(waitFor([this] { return happened("cannot be carried out in this state: Stopped"); }));
+    button("Clear")->click();
+    ASSERT_TRUE(waitFor([this] { return spoken("State") == "Disabled"; }));
+    button("Disconnect")->click();
+    EXPECT_EQ(spoken("State"), "Disconnected");
+    EXPECT_EQ(spoken("Measured x"), "--");
+    EXPECT_FALSE(button("Run")->isEnabled());
+    window.close();
+    EXPECT_FALSE(window.isVisible());
+}
+
+TEST_F(OperatorWindowTest, EveryControlHasANameInEveryLanguage) {
+    const auto check = [this] {
+        for (QWidget* widget : window.findChildren<QWidget*>()) {
+            const bool control = qobject_cast<QAbstractButton*>(widget) || qobject_cast<QComboBox*>(widget) ||
+                                 qobject_cast<QAbstractSpinBox*>(widget) || qobject_cast<QLineEdit*>(widget);
+            const bool part = widget->objectName().startsWith(QLatin1String("qt_")) ||
+                              qobject_cast<QComboBox*>(widget->parentWidget()) != nullptr;
+            if (control && !part) {
+                EXPECT_FALSE(widget->accessibleName().isEmpty())
+                    << widget->metaObject()->className() << " in " << widget->parentWidget()->metaObject()->className();
+            }
+        }
+    };
+    check();
+    const QStringList names{"Target x", "Target gamma", "Run", "Stop", "Reset", "Connect", "Leg 1 measured",
+                            "Leg 6 commanded", "Leg 3 error", "Measured x", "Measured gamma", "Error alpha", "State",
+                            "Validity", "Rate", "Age", "Solver", "Iterations", "Residual", "Dropped frames",
+                            "Export report", "Run report", "Attitude", "Legs", "Errors", "Connection", "Baud rate",
+                            "Events", "Platform"};
+    for (const QString& name : names) {
+        EXPECT_NE(findByName(window, name), nullptr) << name.toStdString();
+    }
+    LanguageSwitch language;
+    ASSERT_TRUE(language.choose(QStringLiteral("zh_CN")));
+    QCoreApplication::sendPostedEvents();
+    check();
+    EXPECT_EQ(findByName(window, QStringLiteral("Run")), nullptr);
+    EXPECT_NE(spoken("Solver"), "Newton"); // found by no English name any more
+}
+
+TEST_F(OperatorWindowTest, SilentLoopIsShownAsOldData) {
+    window.showSnapshots({snapshotAt(geometry, poseOf(1, 0, 0, 0, 0, 0), Pose{}, RunState::Enabled, 1.0)});
+    EXPECT_FALSE(window.latest().stale);
+    ASSERT_TRUE(waitFor([this] {
+        window.showSnapshots({});
+        return window.latest().stale;
+    }));
+    EXPECT_GT(spoken("Age").toDouble(), 400.0);
+}
+
+TEST_F(OperatorWindowTest, FitsASmallScreenAndEveryPageKeepsStop) {
+    EXPECT_LE(window.minimumSizeHint().width(), 1280);
+    EXPECT_LE(window.minimumSizeHint().height(), 770);
+    for (const char* page : {"Console", "Report"}) {
+        button(page)->click();
+        EXPECT_TRUE(button("Stop")->isVisible()) << page;
+        EXPECT_TRUE(button("Export report")->isVisible()) << page;
+    }
+}
+
+} // namespace
+} // namespace hexapose

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/panels/synthetic_machine.h"
+#include "tests/ui/screen_reader.h"
+#include "ui/common/read_out.h"
+#include "ui/panels/legs_panel.h"
+#include "ui/panels/pose_panel.h"
+#include "ui/panels/status_panel.h"
+
+#include <gtest/gtest.h>
+
+namespace hexapose {
+namespace {
+
+using namespace hexapose::testing;
+
+QString spoken(QWidget& root, const char* name) { return spokenText(root, QString::fromLatin1(name)); }
+bool stale(QWidget& root, const char* name) {
+    auto* readOut = qobject_cast<ReadOut*>(findByName(root, QString::fromLatin1(name)));
+    return readOut != nullptr && readOut->isStale();
+}
+
+TEST(PosePanel, ShowsTargetMeasuredAndErrorInMmAndDegrees) {
+    const PlatformGeometry geometry = laboratoryPlatform();
+    PosePanel panel(geometry);
+    panel.showSnapshot(snapshotAt(geometry, poseOf(12.003, -4, 40, 0, 0.25, 5.01), poseOf(12, -4, 40, 0, 0, 5),
+                                  RunState::Enabled, 1.0));
+    EXPECT_EQ(spoken(panel, "Measured x"), "12.003");
+    EXPECT_EQ(spoken(panel, "Error x"), "0.003");
+    EXPECT_EQ(spoken(panel, "Path x"), "12.000");
+    EXPECT_EQ(spoken(panel, "Measured beta"), "0.2500");
+    EXPECT_EQ(spoken(panel, "Error gamma"), "0.0100");
+    EXPECT_EQ(spoken(panel, "Error z"), "0.000");
+    EXPECT_GT(spoken(panel, "Expected error x").toDouble(), 0.0);
+    EXPECT_FALSE(stale(panel, "Measured x"));
+}
+
+TEST(PosePanel, NeverShowsAPoseWithoutAUsableSolution) {
+    const PlatformGeometry geometry = laboratoryPlatform();
+    PosePanel panel(geometry);
+    Snapshot snapshot = snapshotAt(geometry, poseOf(12, 0, 0, 0, 0, 0), Pose{}, RunState::Enabled, 1.0);
+    panel.showSnapshot(snapshot);
+    snapshot.measuredPose.reset();
+    snapshot.status = SolveStatus::NoSolution;
+    panel.showSnapshot(snapshot);
+    for (const char* name : {"Measured x", "Measured gamma", "Error x", "Error gamma", "Expected error x"}) {
+        EXPECT_EQ(spoken(panel, name), "--") << name;
+    }
+    EXPECT_EQ(spoken(panel, "Path x"), "0.000");
+}
+
+TEST(LegsPanel, ShowsCommandedMeasuredAndErrorAndGreysOldValues) {
+    const PlatformGeometry geometry = laboratoryPlatform();
+    LegsPanel panel(geometry);
+    EXPECT_EQ(spoken(panel, "Leg 1 measured"), "--");
+    Snapshot snapshot = snapshotAt(geometry, Pose{}, Pose{}, RunState::Moving, 1.0);
+    snapshot.commandedLengths = LegLengths::Constant(0.300);
+    snapshot.measuredLengths = LegLengths::Constant(0.3001);
+    panel.showSnapshot(snapshot);
+    for (int leg = 1; leg <= kLegCount; ++leg) {
+        EXPECT_EQ(spokenText(panel, QStringLiteral("Leg %1 commanded").arg(leg)), "300.000");
+        EXPECT_EQ(spokenText(panel, QStringLiteral("Leg %1 measured").arg(leg)), "300.100");
+        EXPECT_EQ(spokenText(panel, QStringLiteral("Leg %1 error").arg(leg)), "0.100");
+    }
+    EXPECT_FALSE(stale(panel, "Leg 6 measured"));
+    snapshot.stale = true;
+    panel.showSnapshot(snapshot);
+    EXPECT_TRUE(stale(panel, "Leg 6 measured"));
+    EXPECT_FALSE(stale(panel, "Leg 6 commanded"));
+}
+
+TEST(StatusPanel, ShowsStateRateAgeAndWhatTheSolverSaid) {
+    const PlatformGeometry geometry = laboratoryPlatform();
+    StatusPanel panel;
+    panel.setSolver("mpr3-nr");
+    panel.setPlatform(QStringLiteral("Bench 4"));
+    EXPECT_EQ(spoken(panel, "State"), "Disconnected");
+    EXPECT_EQ(spoken(panel, "Age"), "--");
+    Snapshot snapshot = snapshotAt(geometry, Pose{}, Pose{}, RunState::Moving, 1.0);
+    snapshot.counters.droppedCrc = 3;
+    snapshot.counters.droppedNumber = 2;
+    panel.showSnapshot(snapshot);
+    const std::pair<const char*, const char*> expected[] = {
+        {"State", "Moving"}, {"Rate", "100.0"},       {"Age", "4"},
+        {"Solver", "MPR3-NR"}, {"Iterations", "2"},   {"Residual", "3.0e-10"},
+        {"Dropped frames", "5"}, {"Platform", "Bench 4"}};
+    for (const auto& [name, text] : expected) {
+        EXPECT_EQ(spoken(panel, name), text) << name;
+    }
+    snapshot.stale = true;
+    snapshot.age = std::chrono::milliseconds(2345);
+    panel.showSnapshot(snapshot);
+    EXPECT_EQ(spoken(panel, "Age"), "2345");
+    EXPECT_TRUE(stale(panel, "Age"));
+}
+
+} // namespace
+} // namespace hexapose

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/kinematics/inverse_kinematics.h"
+#include "tests/ui/panels/synthetic_machine.h"
+#include "tests/ui/screen_reader.h"
+#include "ui/common/pose_field.h"
+#include "ui/panels/axis_range.h"
+#include "ui/panels/target_panel.h"
+#include "ui/panels/verdict_text.h"
+
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+namespace hexapose {
+namespace {
+
+using namespace hexapose::testing;
+
+class TargetPanelTest : public ::testing::Test {
+protected:
+    TargetPanelTest() : geometry(laboratoryPlatform()), panel(geometry) { panel.show(); }
+
+    void type(const char* field, const char* text) {
+        auto* found = qobject_cast<PoseField*>(findByName(panel, QString::fromLatin1(field)));
+        ASSERT_NE(found, nullptr) << field;
+        found->selectAll();
+        QTest::keyClicks(found, QString::fromLatin1(text));
+    }
+    QPushButton* button(const char* name) {
+        return qobject_cast<QPushButton*>(findByName(panel, QString::fromLatin1(name)));
+    }
+    QString validity() { return spokenText(panel, QStringLiteral("Validity")); }
+    void live(const Pose& pose) {
+        panel.showSnapshot(snapshotAt(geometry, pose, pose, RunState::Enabled, 1.0));
+        panel.setConnected(true);
+    }
+
+    PlatformGeometry geometry;
+    TargetPanel panel;
+};
+
+TEST_F(TargetPanelTest, ValidityFollowsTheTypingAndSaysWhyNot) {
+    EXPECT_EQ(validity(), "Reachable");
+    type("Target z", "200");
+    ASSERT_TRUE(panel.verdict());
+    EXPECT_FALSE(panel.verdict()->ok());
+    EXPECT_TRUE(validity().contains(QStringLiteral("above its maximum 350 mm"))) << validity().toStdString();
+    type("Target z", "-");
+    EXPECT_FALSE(panel.verdict());
+    EXPECT_EQ(validity(), "Target z is not a number");
+    type("Target z", "40");
+    EXPECT_EQ(validity(), "Reachable");
+}
+
+TEST_F(TargetPanelTest, LimitsOfTheControllerNarrowThoseOfThePlatform) {
+    Snapshot snapshot = snapshotAt(geometry, Pose{}, Pose{}, RunState::Enabled, 1.0);
+    const LegLengths home = geometry.homeLengths();
+    snapshot.maxLength = home.maxCoeff() + 0.001;
+    panel.showSnapshot(snapshot);
+    type("Target z", "30");
+    EXPECT_EQ(panel.verdict()->reason, Verdict::Reason::LegAboveMax);
+    EXPECT_NEAR(panel.verdict()->bound, *snapshot.maxLength, 1e-12);
+}
+
+TEST_F(TargetPanelTest, RunGivesTheTypedTargetAndOnlyAWholeOne) {
+    QSignalSpy runs(&panel, &TargetPanel::runRequested);
+    std::optional<Pose> asked;
+    QObject::connect(&panel, &TargetPanel::runRequested, [&](const Pose& pose) { asked = pose; });
+    EXPECT_FALSE(button("Run")->isEnabled());
+    live(Pose{});
+    const std::pair<const char*, const char*> typed[] = {{"Target x", "12"},   {"Target y", "-4"},
+                                                         {"Target z", "40"},   {"Target alpha", "0"},
+                                                         {"Target beta", "0"}, {"Target gamma", "5"}};
+    for (const auto& [field, text] : typed) {
+        type(field, text);
+    }
+    button("Run")->click();
+    ASSERT_TRUE(asked);
+    EXPECT_TRUE(asked->toVector().isApprox(poseOf(12, -4, 40, 0, 0, 5).toVector(), 1e-12));
+    type("Target beta", "-");
+    button("Run")->click();
+    EXPECT_EQ(runs.count(), 1);
+}
+
+TEST_F(TargetPanelTest, ResetAndCopyFillTheFieldsAndMoveNothing) {
+    QSignalSpy runs(&panel, &TargetPanel::runRequested);
+    EXPECT_FALSE(button("Copy measured")->isEnabled());
+    const Pose here = poseOf(1.5, 2.25, -3, 1, 0.5, -2);
+    live(here);
+    button("Copy measured")->click();
+    EXPECT_TRUE(panel.target()->toVector().isApprox(here.toVector(), 1e-6));
+    EXPECT_EQ(spokenText(panel, QStringLiteral("Target y")), "2.25");
+    button("Reset")->click();
+    EXPECT_TRUE(panel.target()->toVector().isZero());
+    EXPECT_EQ(runs.count(), 0);
+}
+
+TEST_F(TargetPanelTest, StopIsAlwaysThereAndOnOneKey) {
+    QSignalSpy stops(&panel, &TargetPanel::stopRequested);
+    EXPECT_TRUE(button("Stop")->isEnabled());
+    button("Stop")->click();
+    panel.activateWindow();
+    QTest::keyClick(panel.fields()[2], Qt::Key_Escape);
+    EXPECT_EQ(stops.count(), 2);
+}
+
+TEST(AxisRange, EndsWhereALegMeetsItsStroke) {
+    constexpr double kMetres = 2e-4; // of the bisection
+    const PlatformGeometry geometry = laboratoryPlatform();
+    const MotionLimits limits = motionLimits(geometry, {}, {});
+    for (int axis = 0; axis < 6; ++axis) {
+        const auto range = axisRange(geometry, limits, Pose{}, axis);
+        ASSERT_TRUE(range);
+        for (const double end : {range->first, range->second}) {
+            PoseVector at = PoseVector::Zero();
+            at[axis] = end;
+            const LegLengths lengths = legLengths(geometry, Pose::fromVector(at));
+            const double gap = std::min((limits.maxLength - lengths).minCoeff(), (lengths - limits.minLength).minCoeff());
+            EXPECT_GE(gap, 0.0) << axis;
+            EXPECT_LT(gap, kMetres) << axis;
+        }
+    }
+    EXPECT_FALSE(axisRange(geometry, limits, poseOf(0, 0, 300, 0, 0, 0), 0));
+}
+
+TEST(VerdictText, NamesLegLimitAndExcess) {
+    const Verdict above{Verdict::Reason::LegAboveMax, 3, 0.3612, 0.350, 1.0};
+    EXPECT_EQ(verdictText(above), "Leg 3 would be 361.2 mm, above its maximum 350 mm (by 11.2 mm)");
+    const Verdict below{Verdict::Reason::LegBelowMin, 2, 0.24999, 0.250, 1.0};
+    EXPECT_EQ(verdictText(below), "Leg 2 would be 249.9900 mm, below its minimum 250 mm (by 0.0100 mm)");
+    const Verdict path{Verdict::Reason::PathNearSingular, 0, 0.01, 0.05, 0.63};
+    EXPECT_TRUE(verdictText(path).contains(QStringLiteral("63 %")));
+    for (const Verdict& verdict : {above, below, path, Verdict{Verdict::Reason::NearSingular, 0, 0.01, 0.05, 1.0},
+                                   Verdict{Verdict::Reason::OtherBranch, 0, 0, 0, 1.0},
+                                   Verdict{Verdict::Reason::NotFinite, 0, 0, 0, 1.0}}) {
+        const QString words = QString::fromStdString(toWords(verdict));
+        EXPECT_NE(verdictTextFromWords(words), words); // an event's words are known
+    }
+    EXPECT_EQ(verdictTextFromWords(QStringLiteral("of a newer engine")), "of a newer engine");
+}
+
+} // namespace
+} // namespace hexapose
