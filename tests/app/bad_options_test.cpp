@@ -1,0 +1,272 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Bad files and bad options of every command: exit status 2, one line that says what, where and why.
+#include "tests/app/bad_call.h"
+#include "tests/app/foreign_controller.h"
+#include "tests/app/machine.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace hexapose::apptest {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string kLengthHeader = "l1_mm,l2_mm,l3_mm,l4_mm,l5_mm,l6_mm\n";
+const std::string kLengths = kLengthHeader + "339.5,336.5,336.6,329.2,345.1,334.5\n";
+const std::string kPoses = "x_mm,y_mm,z_mm,alpha_deg,beta_deg,gamma_deg\n12,-4,40,0,0,5\n";
+
+struct Files : Scratch {
+    Files() {
+        file("poses.csv", kPoses);
+        file("lengths.csv", kLengths);
+        file("empty.csv", "");
+        file("blank.csv", "\n\n");
+        file("half.csv", "l1_mm,l2_mm,l3_mm,l4_mm,l5_mm\n1,2,3,4,5\n");
+        file("twice.csv", "l1_mm,l1_mm,l2_mm,l3_mm,l4_mm,l5_mm,l6_mm\n");
+        file("semicolons.csv", "l1_mm;l2_mm;l3_mm;l4_mm;l5_mm;l6_mm\n1;2;3;4;5;6\n");
+        file("quote.csv", kLengthHeader + "1,2,3,4,5,6\n\"1,2\n3,4,5,6\n");
+        file("utf16.csv", std::string("\xFF\xFEl\0001\0", 6));
+        file("other.toml", octahedral().toml());
+        file("plain", "a regular file\n");
+        fs::create_directory(path("directory"));
+    }
+};
+
+void expectCliRefused(const Scratch& scratch, const std::vector<BadCall>& calls) {
+    expectRefused(HEXAPOSE_CLI, scratch, calls);
+}
+
+TEST(BadOptions, OfEveryCommand) {
+    const Files files;
+    std::vector<BadCall> calls{
+        {"", {"missing command"}},
+        {"fly", {"unknown command", "fly"}},
+        {"--fly", {"--fly"}},
+        {"reproduce table9 --out @out", {"table9"}},
+        {"reproduce", {"reproduce", "missing"}},
+        {"reproduce table5", {"--out"}},
+        {"reproduce table5 --out @plain/out", {"@plain"}},
+    };
+    const std::vector<std::string> good{"inverse @poses.csv",
+                                        "forward @lengths.csv --method newton",
+                                        "train --samples 500 --degree 1 --out @model",
+                                        "simulate --protocol line",
+                                        "run --port virtual --targets @poses.csv --log @log.csv",
+                                        "report @log.csv --out @out",
+                                        "reproduce table5 --out @out"};
+    for (const std::string& command : good) {
+        const std::string name = command.substr(0, command.find(' '));
+        calls.push_back({command + " --colour", {name, "colour"}});
+        calls.push_back({command + " --colour red", {name, "colour"}});
+        calls.push_back({command + " --platform", {"platform"}});
+        calls.push_back({command + " --platform ''", {"platform"}});
+        calls.push_back({command + " --platform nowhere", {"nowhere", "no such platform"}});
+        calls.push_back({command + " --platform @missing.toml", {"@missing.toml", "no such"}});
+        calls.push_back({command + " --platform @directory", {"@directory"}});
+        calls.push_back({command + " --platform @plain", {"@plain:1:"}});
+        calls.push_back({command + " --platform @empty.csv", {"@empty.csv:1:", "format"}});
+        calls.push_back({command + " surplus", {name, "surplus"}});
+    }
+    expectCliRefused(files, calls);
+}
+
+TEST(BadOptions, OfInverseAndForward) {
+    const Files files;
+    std::vector<BadCall> calls;
+    for (const std::string command : {"inverse", "forward"}) {
+        const std::string column = command == "inverse" ? "x_mm" : "l6_mm";
+        calls.push_back({command, {command, "missing"}});
+        calls.push_back({command + " ''", {}});
+        calls.push_back({command + " @missing.csv", {"@missing.csv", "No such file"}});
+        calls.push_back({command + " @directory", {"@directory", "directory"}});
+        calls.push_back({command + " @plain/under.csv", {"@plain/under.csv"}});
+        calls.push_back({command + " @empty.csv", {"@empty.csv", "empty"}});
+        calls.push_back({command + " @blank.csv", {"@blank.csv", "empty"}});
+        calls.push_back({command + " @half.csv", {"@half.csv:1:", column, "missing"}});
+        calls.push_back({command + " @semicolons.csv", {"@semicolons.csv:1:", "comma"}});
+        calls.push_back({command + " @utf16.csv", {"@utf16.csv:1:", "UTF-8"}});
+        calls.push_back({command + " -", {"standard input", "empty"}});
+        calls.push_back({command + " -", {"standard input", "missing"}, "a,b\n1,2\n"});
+    }
+    const std::string forward = "forward @lengths.csv ";
+    const std::vector<BadCall> more{
+        {"forward @twice.csv", {"@twice.csv:1:", "l1_mm", "twice"}},
+        {"forward @quote.csv --method newton", {"@quote.csv:3:", "quote"}},
+        {forward + "--method", {"method"}},
+        {forward + "--method magic", {"--method", "magic", "mpr3-nr"}},
+        {forward + "--method Newton", {"--method", "Newton"}},
+        {forward + "--method mpr4", {"--method", "mpr4"}},
+        {forward + "--method fsi", {"--method", "fsi"}},
+        {forward + "--start nowhere", {"--start", "nowhere"}},
+        {forward + "--tolerance-mm zero", {"--tolerance-mm", "zero"}},
+        {forward + "--tolerance-mm 0", {"--tolerance-mm", "0"}},
+        {forward + "--tolerance-mm -1", {"--tolerance-mm", "-1"}},
+        {forward + "--tolerance-mm nan", {"--tolerance-mm", "nan"}},
+        {forward + "--tolerance-mm 0,1", {"--tolerance-mm", "0,1"}},
+        {forward + "--tolerance-mm", {"tolerance-mm"}},
+        {forward + "--max-iterations 0", {"--max-iterations", "0"}},
+        {forward + "--max-iterations -3", {"--max-iterations", "-3"}},
+        {forward + "--max-iterations 2.5", {"--max-iterations", "2.5"}},
+        {forward + "--max-iterations many", {"--max-iterations", "many"}},
+        {forward + "--method newton --model @plain", {"--model", "newton"}},
+        {forward + "--model @missing.toml", {"@missing.toml"}},
+        {forward + "--model @directory", {"@directory"}},
+        {forward + "--model @empty.csv", {"@empty.csv"}},
+        {forward + "--model @plain", {"@plain"}},
+    };
+    calls.insert(calls.end(), more.begin(), more.end());
+    expectCliRefused(files, calls);
+}
+
+/// The text with its first occurrence replaced.
+std::string altered(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+TEST(BadOptions, ModelsThatDoNotBelongOrAreNotWhole) {
+    const Files files;
+    const std::string model = files.path("model");
+    ASSERT_EQ(cli({"train", "--degree", "3", "--samples", "3000", "--range-mm", "50", "--range-deg", "15",
+                   "--seed", "7", "--out", model})
+                  .status,
+              0);
+    const Outcome good = cli({"forward", "-", "--method", "mpr3-nr", "--model", model}, kLengths);
+    EXPECT_EQ(good.status, 0) << good.err;
+    EXPECT_NEAR(Table(good.out).number(0, "z_mm"), 39.78, 0.5e-2);
+
+    const std::string text = readText(model);
+    files.file("truncated", text.substr(0, text.size() / 2));
+    files.file("one-byte-less", text.substr(0, text.size() - 1));
+    files.file("unsigned", text.substr(0, text.rfind('\n', text.size() - 2) + 1));
+    std::string flipped = text;
+    char& digit = flipped[text.find_first_of("123456789", text.size() / 2)];
+    digit = digit == '9' ? '8' : static_cast<char>(digit + 1);
+    files.file("flipped", flipped);
+    files.file("longer", text + "surplus = 1\n");
+    std::string second = text;
+    second[text.find("format")] = 'F';
+    files.file("headless", second);
+    std::vector<BadCall> calls;
+    for (const std::string name : {"truncated", "one-byte-less", "unsigned", "flipped", "longer", "headless"})
+        calls.push_back({"forward @lengths.csv --method mpr3 --model @" + name, {"@" + name}});
+    calls.push_back(
+        {"forward @lengths.csv --method mpr2-nr --model @model", {"@model", "degree 3", "degree 2"}});
+    calls.push_back({"forward @lengths.csv --model @model --platform @other.toml", {"@model", "platform"}});
+    calls.push_back(
+        {"run --port virtual --targets @poses.csv --log @log.csv --model @flipped", {"@flipped"}});
+    expectCliRefused(files, calls);
+}
+
+TEST(BadOptions, OfTrain) {
+    const Files files;
+    const std::string train = "train --samples 500 --degree 1 ";
+    expectCliRefused(files, {
+                                {"train", {"--out"}},
+                                {train + "--out", {"out"}},
+                                {train + "--out @missing/model", {"@missing/model"}},
+                                {train + "--out @plain/model", {"@plain/model"}},
+                                {train + "--out @directory", {"@directory"}},
+                                {"train --out @m --degree 0", {"--degree", "0"}},
+                                {"train --out @m --degree 5", {"--degree", "5"}},
+                                {"train --out @m --degree three", {"--degree", "three"}},
+                                {"train --out @m --samples 0", {"--samples", "0"}},
+                                {"train --out @m --samples -5", {"--samples", "-5"}},
+                                {"train --out @m --samples 1e5", {"--samples", "1e5"}},
+                                {"train --out @m --degree 3 --samples 20", {"samples"}},
+                                {train + "--out @m --range-mm -1", {"--range-mm", "-1"}},
+                                {train + "--out @m --range-mm x", {"--range-mm", "x"}},
+                                {train + "--out @m --range-mm inf", {"--range-mm", "inf"}},
+                                {train + "--out @m --range-deg 0", {"--range-deg", "0"}},
+                                {train + "--out @m --seed -1", {"--seed", "-1"}},
+                                {train + "--out @m --seed x", {"--seed", "x"}},
+                            });
+}
+
+TEST(BadOptions, OfSimulate) {
+    const Files files;
+    const std::string simulate = "simulate --protocol line ";
+    expectCliRefused(files, {
+                                {"simulate", {"--protocol"}},
+                                {"simulate --protocol modbus", {"--protocol", "modbus"}},
+                                {"simulate --protocol smoke", {"--protocol", "smoke"}},
+                                {simulate + "--period-ms 0", {"--period-ms", "0"}},
+                                {simulate + "--period-ms 1001", {"--period-ms", "1001"}},
+                                {simulate + "--period-ms ten", {"--period-ms", "ten"}},
+                                {simulate + "--link @missing/port", {"@missing/port"}},
+                                {simulate + "--link @plain", {"@plain"}},
+                                {simulate + "--link @directory", {"@directory"}},
+                                {simulate + "--faults crc=2", {"crc=2"}},
+                                {simulate + "--faults crc", {"crc"}},
+                                {simulate + "--faults crc=x", {"crc=x"}},
+                                {simulate + "--faults fire=0.1", {"fire"}},
+                                {simulate + "--faults crc=0.1,crc=0.2", {"crc"}},
+                                {simulate + "--faults silence=10", {"silence=10"}},
+                                {simulate + "--faults noise=-1", {"noise=-1"}},
+                                {simulate + "--faults ''", {"faults"}},
+                                {simulate + "--resolution-mm 0", {"--resolution-mm"}},
+                            });
+}
+
+TEST(BadOptions, OfRunAndNothingIsSentOrDamaged) {
+    const Files files;
+    const Scratch elsewhere;
+    const std::string port = elsewhere.path("port");
+    ForeignController controller(port, {}, {});
+    files.file("kept.csv", "measured for weeks\n");
+    files.file("beside.toml", "kept = true\n");
+    const std::string far = "x_mm,y_mm,z_mm,alpha_deg,beta_deg,gamma_deg\n0,0,0,0,0,0\n0,0,90,0,0,0\n";
+    files.file("far.csv", far);
+    files.file("words.csv", kPoses + "1,2,three,0,0,0\n");
+    files.file("nan.csv", kPoses + "1,2,nan,0,0,0\n");
+    files.file("short.csv", kPoses + "1,2,3\n1,2,3,0,0,0\n");
+    files.file("none.csv", kPoses.substr(0, kPoses.find('\n') + 1));
+    const auto run = [&](const std::string& targets, const std::string& log, const std::string& more = {}) {
+        return "run --port " + port + " --targets " + targets + " --log " + log + " " + more;
+    };
+    const std::string good = run("@poses.csv", "@log.csv");
+    const std::string anyPort = "run --targets @poses.csv --log @log.csv --port ";
+    expectCliRefused(files, {
+                                {"run --targets @poses.csv --log @log.csv", {"--port"}},
+                                {"run --port virtual --log @log.csv", {"--targets"}},
+                                {"run --port virtual --targets @poses.csv", {"--log"}},
+                                {anyPort + "/dev/ttyNOWHERE", {"/dev/ttyNOWHERE", "no such"}},
+                                {anyPort + "@plain", {"@plain"}},
+                                {anyPort + "@directory", {"@directory"}},
+                                {anyPort + "/dev/null", {"/dev/null"}},
+                                {good + "--baud 0", {"--baud", "0"}},
+                                {good + "--baud fast", {"--baud", "fast"}},
+                                {good + "--baud -9600", {"--baud", "-9600"}},
+                                {good + "--mode workspace", {"--mode", "workspace"}},
+                                {good + "--mode magic", {"--mode", "magic"}},
+                                {good + "--method magic", {"--method", "magic"}},
+                                {run("@missing.csv", "@log.csv"), {"@missing.csv"}},
+                                {run("@directory", "@log.csv"), {"@directory"}},
+                                {run("@empty.csv", "@log.csv"), {"@empty.csv", "empty"}},
+                                {run("@none.csv", "@log.csv"), {"@none.csv"}},
+                                {run("@lengths.csv", "@log.csv"), {"@lengths.csv:1:", "x_mm"}},
+                                {run("@words.csv", "@log.csv"), {"@words.csv:3:", "three"}},
+                                {run("@nan.csv", "@log.csv"), {"@nan.csv:3:", "nan"}},
+                                {run("@short.csv", "@log.csv"), {"@short.csv:3:"}},
+                                {run("@far.csv", "@log.csv"), {"@far.csv", "above max_mm", "350"}},
+                                {run("@poses.csv", "@kept.csv"), {"@kept.csv", "exists"}},
+                                {run("@poses.csv", "@poses.csv"), {"@poses.csv", "exists"}},
+                                {run("@poses.csv", "@beside.csv"), {"@beside.toml", "exists"}},
+                                {run("@poses.csv", "@missing/log.csv"), {"@missing/log.csv"}},
+                                {run("@poses.csv", "@plain/log.csv"), {"@plain/log.csv"}},
+                                {run("@poses.csv", "@directory"), {"@directory"}},
+                                {run("@poses.csv", "@log.csv", "--report @plain/report"), {"@plain/report"}},
+                            });
+    const std::vector<std::string> payloads = controller.payloads();
+    EXPECT_TRUE(std::all_of(payloads.begin(), payloads.end(), [](const auto& p) { return p == "HELLO,1"; }))
+        << "nothing but questions before all is known to be good";
+}
+
+} // namespace
+} // namespace hexapose::apptest

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The console as a program, without a display.
+#include "tests/app/bad_call.h"
+#include "tests/app/foreign_controller.h"
+#include "tests/app/run_log.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <sstream>
+
+namespace hexapose::apptest {
+namespace {
+
+using testing::Contains;
+using testing::IsEmpty;
+using testing::SizeIs;
+using testing::StartsWith;
+
+/// The paths that a headless run prints after "what: ".
+std::vector<std::string> printed(const std::string& out, const std::string& what) {
+    std::vector<std::string> paths;
+    std::istringstream lines(out);
+    for (std::string line; std::getline(lines, line);)
+        if (line.starts_with(what + ": "))
+            paths.push_back(line.substr(what.size() + 2));
+    return paths;
+}
+
+void expectJobDone(const Outcome& outcome, const Scratch& scratch) {
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    ASSERT_THAT(printed(outcome.out, "log"), SizeIs(1));
+    const RunLog log(printed(outcome.out, "log").front());
+    EXPECT_EQ(log.strayPose(laboratory()), "");
+    EXPECT_TRUE(log.has("settled"));
+    // The attitude of the published test was reached.
+    double nearest = 1e9;
+    for (std::size_t row = 0; row + 1 < log.table().rows.size(); ++row)
+        if (log.table().field(row, "state") == "enabled" && !log.table().field(row, "z_mm").empty())
+            nearest = std::min(nearest, std::abs(log.table().number(row, "z_mm") - 40.0));
+    EXPECT_LT(nearest, 0.2);
+    ASSERT_THAT(printed(outcome.out, "picture"), SizeIs(1));
+    EXPECT_THAT(readText(printed(outcome.out, "picture").front()), StartsWith("\x89PNG"));
+    const std::vector<std::string> report = printed(outcome.out, "report");
+    EXPECT_THAT(report, SizeIs(4));
+    for (const std::string& file : report) {
+        EXPECT_THAT(file, StartsWith(scratch.path("out")));
+        EXPECT_FALSE(readText(file).empty()) << file;
+    }
+    const Table errors(readText(scratch.path("out/errors.csv")));
+    EXPECT_GE(errors.rows.size(), 3U);
+    for (std::size_t row = 0; row < errors.rows.size(); ++row)
+        EXPECT_EQ(errors.field(row, "status"), "converged");
+}
+
+Outcome headless(const Scratch& scratch, const std::vector<std::string>& more,
+                 const Process::Environment& environment = {}) {
+    std::vector<std::string> words{HEXAPOSE_CONSOLE,    "--headless", "--output",
+                                   scratch.path("out"), "--log-dir",  scratch.path("logs")};
+    words.insert(words.end(), more.begin(), more.end());
+    Process process(words, {}, environment);
+    return process.wait();
+}
+
+TEST(Console, HeadlessDoesTheJobOnTheVirtualPlatform) {
+    const Scratch scratch;
+    expectJobDone(headless(scratch, {"--virtual", "--language", "zh_CN"}, {{"LC_ALL", "de_DE.UTF-8"}}),
+                  scratch);
+}
+
+TEST(Console, HeadlessDoesTheJobOnAForeignController) {
+    const Scratch scratch;
+    ForeignController controller(scratch.path("port"), {}, {});
+    expectJobDone(headless(scratch, {"--port", scratch.path("port")}), scratch);
+    EXPECT_THAT(controller.violations(), IsEmpty());
+    EXPECT_EQ(controller.watchdogTrips(), 0);
+    EXPECT_NE(controller.state(), 'E') << "left enabled";
+}
+
+TEST(Console, HeadlessFailsWithTheReasonWhenTheControllerFallsSilent) {
+    const Scratch scratch;
+    ForeignController controller(scratch.path("port"), {}, {ForeignController::Misdeed::Silence});
+    const Outcome outcome = headless(scratch, {"--port", scratch.path("port")});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_FALSE(outcome.err.empty());
+    EXPECT_THAT(controller.violations(), IsEmpty());
+    EXPECT_THAT(controller.payloads(), Contains("STOP"));
+}
+
+TEST(Console, BadOptionsAreRefused) {
+    const Scratch scratch;
+    scratch.file("plain", "a regular file\n");
+    scratch.file("broken.toml", laboratory().toml() + "colour = \"red\"\n");
+    expectRefused(HEXAPOSE_CONSOLE, scratch,
+                  {
+                      {"--colour", {"--colour"}},
+                      {"surplus", {"surplus"}},
+                      {"--port", {"--port"}},
+                      {"--baud", {"--baud"}},
+                      {"--platform", {"--platform"}},
+                      {"--log-dir", {"--log-dir"}},
+                      {"--language", {"--language"}},
+                      {"--virtual --port /dev/ttyNOWHERE", {"--port", "--virtual"}},
+                      {"--virtual=yes", {"--virtual"}},
+                      {"--headless --port /dev/ttyNOWHERE", {"/dev/ttyNOWHERE"}},
+                      {"--port @plain --headless", {"@plain"}},
+                      {"--virtual --baud 0", {"--baud", "0"}},
+                      {"--virtual --baud fast", {"--baud", "fast"}},
+                      {"--virtual --baud -1", {"--baud"}},
+                      {"--language xx", {"--language", "xx"}},
+                      {"--platform nowhere", {"nowhere"}},
+                      {"--platform @missing.toml", {"@missing.toml"}},
+                      {"--platform @plain", {"@plain:1:"}},
+                      {"--platform @broken.toml", {"@broken.toml:35:", "colour"}},
+                      {"--headless --virtual --output @plain/out", {"--output", "@plain/out"}},
+                      {"--headless --virtual --output @plain", {"--output", "@plain"}},
+                      {"--headless --virtual --log-dir @plain/logs", {"--log-dir", "@plain/logs"}},
+                      {"--virtual --output @out", {"--output", "--headless"}},
+                  });
+}
+
+} // namespace
+} // namespace hexapose::apptest
