@@ -2,19 +2,16 @@
 // SPDX-License-Identifier: MIT
 
 #include "core/device/line_codec.h"
-#include "core/device/wire_number.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <limits>
 #include <random>
 #include <set>
 
 namespace hexapose::line {
 namespace {
 
-constexpr double kWireExact = 1e-15; ///< m, round-off of a length written in mm
 constexpr std::string_view kLen = "LEN,1,1000,339.5,336.5,336.6,329.2,345.1,334.5,E,-1";
 
 struct Read {
@@ -220,43 +217,6 @@ TEST(FrameReader, LeavesOutABareLineWhoseBeginningItMayHaveMissed) {
     EXPECT_EQ(messages.size(), 1U);
 }
 
-TEST(Messages, SurviveTheWire) {
-    LegLengths lengths;
-    lengths << 0.3395, 0.3365, 0.336600001, 0.1, 1.5, 0.25;
-    const std::vector<LineMessage> toHost{
-        Len{65535, std::chrono::microseconds(123456789012), lengths, ControllerState::Stopped, 65535},
-        Ident{"arm", std::chrono::milliseconds(20), 0.25, 0.3505}, Ok{"HOME"},
-        Err{"SET", "RANGE", "leg 1, long"}, Fault{"7", "hot, very"}};
-    const std::vector<LineMessage> toController{
-        Hello{}, Period{std::chrono::milliseconds(5)}, Home{}, Enable{}, Disable{}, Set{7, lengths}, Stop{},
-        Clear{}};
-    for (const auto& [side, messages] :
-         {std::pair(Side::Host, toHost), std::pair(Side::Controller, toController)})
-        for (const LineMessage& message : messages) {
-            const Read read = readAll(encode(message), side);
-            ASSERT_EQ(read.messages.size(), 1U) << encode(message);
-            EXPECT_EQ(read.messages[0].index(), message.index());
-            EXPECT_EQ(payloadOf(read.messages[0]), payloadOf(message));
-        }
-    const Read read = readAll(encode(toHost[0]));
-    EXPECT_LT((std::get<Len>(read.messages[0]).lengths - lengths).norm(), kWireExact);
-    EXPECT_EQ(payloadOf(Set{0, lengths}), "SET,0,339.5,336.5,336.600001,100,1500,250");
-}
-
-TEST(WireNumbers, AreShortPlainDecimals) {
-    const std::pair<double, const char*> rows[] = {
-        {339.5, "339.5"}, {-0.0, "0"},           {-1e-9, "0"},   {1e-6, "0.000001"},
-        {100.0, "100"},   {1.0 / 3, "0.333333"}, {-2.5, "-2.5"}, {1e15, "1000000000000000"}};
-    for (const auto& [value, text] : rows)
-        EXPECT_EQ(formatWireDecimal(value), text);
-    EXPECT_EQ(parseWireDecimal("-12.25"), -12.25);
-    EXPECT_FALSE(parseWireDecimal(std::string(400, '9'))); // beyond a double
-    for (const char* text : {"", "-", "--1", "1-", "1.2.3", "1e5", "nan", "1,5", "\xd9\xa1"})
-        EXPECT_FALSE(parseWireDecimal(text)) << text;
-    EXPECT_EQ(parseWireInteger("-9223372036854775808"), std::numeric_limits<long long>::min());
-    EXPECT_FALSE(parseWireInteger("9223372036854775808"));
-}
-
 /// Spoils a stream in every way a line can: bits flipped, bytes lost, inserted, runs repeated.
 std::string spoil(std::string bytes, std::mt19937& random) {
     const auto below = [&](std::size_t bound) { return random() % bound; };
@@ -282,7 +242,7 @@ std::string spoil(std::string bytes, std::mt19937& random) {
 TEST(FrameReader, NeverGivesAMessageThatWasNotSent) {
     std::mt19937 random(20260217);
     std::uint64_t accepted = 0;
-    for (int round = 0; round < 20; ++round) {
+    for (int round = 0; round < 6; ++round) {
         std::string stream;
         std::set<std::string> sent;
         for (int n = 0; n < 1000; ++n) {
@@ -303,7 +263,7 @@ TEST(FrameReader, NeverGivesAMessageThatWasNotSent) {
         EXPECT_EQ(cut.payloads(), whole.payloads());
         EXPECT_EQ(counts(cut.counters), counts(whole.counters));
     }
-    EXPECT_GT(accepted, 10000U); // most frames of a spoilt stream still arrive
+    EXPECT_GT(accepted, 3000U); // most frames of a spoilt stream still arrive
 }
 
 } // namespace

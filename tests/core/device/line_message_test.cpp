@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: MIT
+
+#include "core/device/line_message.h"
+
+#include "core/device/wire_number.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <vector>
+
+namespace hexapose::line {
+namespace {
+
+constexpr double kWireExact = 1e-15; ///< m, round-off of a length written in mm
+
+TEST(Messages, SurviveTheWire) {
+    LegLengths lengths;
+    lengths << 0.3395, 0.3365, 0.336600001, 0.1, 1.5, 0.25;
+    const std::vector<LineMessage> toHost{
+        Len{65535, std::chrono::microseconds(123456789012), lengths, ControllerState::Stopped, 65535},
+        Ident{"arm", std::chrono::milliseconds(20), 0.25, 0.3505}, Ok{"HOME"},
+        Err{"SET", "RANGE", "leg 1, long"}, Fault{"7", "hot, very"}};
+    const std::vector<LineMessage> toController{
+        Hello{}, Period{std::chrono::milliseconds(5)}, Home{}, Enable{}, Disable{}, Set{7, lengths}, Stop{},
+        Clear{}};
+    for (const auto& [side, messages] :
+         {std::pair(Side::Host, toHost), std::pair(Side::Controller, toController)})
+        for (const LineMessage& message : messages) {
+            const LineMessage read = parsePayload(payloadOf(message), side);
+            EXPECT_EQ(read.index(), message.index());
+            EXPECT_EQ(payloadOf(read), payloadOf(message));
+        }
+    const LineMessage read = parsePayload(payloadOf(toHost[0]), Side::Host);
+    EXPECT_LT((std::get<Len>(read).lengths - lengths).norm(), kWireExact);
+    EXPECT_EQ(payloadOf(Set{0, lengths}), "SET,0,339.5,336.5,336.600001,100,1500,250");
+}
+
+TEST(WireNumbers, AreShortPlainDecimals) {
+    const std::pair<double, const char*> rows[] = {
+        {339.5, "339.5"}, {-0.0, "0"},           {-1e-9, "0"},   {1e-6, "0.000001"},
+        {100.0, "100"},   {1.0 / 3, "0.333333"}, {-2.5, "-2.5"}, {1e15, "1000000000000000"}};
+    for (const auto& [value, text] : rows)
+        EXPECT_EQ(formatWireDecimal(value), text);
+    EXPECT_EQ(parseWireDecimal("-12.25"), -12.25);
+    EXPECT_FALSE(parseWireDecimal(std::string(400, '9'))); // beyond a double
+    for (const char* text : {"", "-", "--1", "1-", "1.2.3", "1e5", "nan", "1,5", "\xd9\xa1"})
+        EXPECT_FALSE(parseWireDecimal(text)) << text;
+    EXPECT_EQ(parseWireInteger("-9223372036854775808"), std::numeric_limits<long long>::min());
+    EXPECT_FALSE(parseWireInteger("9223372036854775808"));
+}
+
+} // namespace
+} // namespace hexapose::line
