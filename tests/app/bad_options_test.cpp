@@ -123,13 +123,6 @@ TEST(BadOptions, OfInverseAndForward) {
     expectCliRefused(files, calls);
 }
 
-/// The text with its first occurrence replaced.
-std::string altered(std::string text, const std::string& from, const std::string& to) {
-    const std::size_t at = text.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    return at == std::string::npos ? text : text.replace(at, from.size(), to);
-}
-
 TEST(BadOptions, ModelsThatDoNotBelongOrAreNotWhole) {
     const Files files;
     const std::string model = files.path("model");

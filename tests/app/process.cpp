@@ -8,7 +8,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <spawn.h>
-#include <sys/pidfd.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -100,7 +100,7 @@ Process::Process(const std::vector<std::string>& words, const std::string& input
         throw std::runtime_error("cannot start " + words.at(0));
     m_out = outReader;
     m_err = errReader;
-    m_exit = ::pidfd_open(m_pid, 0);
+    m_exit = static_cast<int>(::syscall(SYS_pidfd_open, m_pid, 0));
     for (const int fd : {m_out, m_err})
         ::fcntl(fd, F_SETFL, O_NONBLOCK);
 }
