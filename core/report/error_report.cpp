@@ -82,7 +82,8 @@ ErrorReport makeErrorReport(const PlatformGeometry& geometry, const ForwardSolve
 }
 
 PoseVector largestPredictedBound(const ErrorReport& report) {
-    PoseVector largest = PoseVector::Zero();
+    PoseVector largest =
+        PoseVector::Constant(report.rows.empty() ? std::numeric_limits<double>::quiet_NaN() : 0.0);
     for (const ErrorRow& row : report.rows)
         largest = largest.cwiseMax(row.predictedBound);
     return largest;

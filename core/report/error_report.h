@@ -44,7 +44,7 @@ struct ErrorReport {
     ErrorStatistics statistics;
 };
 
-/// The largest predicted bound of each coordinate over the samples.
+/// The largest predicted bound of each coordinate over the samples; not a number without samples.
 PoseVector largestPredictedBound(const ErrorReport& report);
 
 /// Solves each sample (from home, as the method does; from the target where that gives nothing usable) and

@@ -36,9 +36,8 @@ constexpr std::array<Plot::Marker, 3> kMarkers{Plot::Marker::Circle, Plot::Marke
                                                Plot::Marker::Triangle};
 
 Plot::Range symmetric(double errors, double band) {
-    double reach = std::max(errors, std::isfinite(band) ? band : 0.0);
-    if (errors > 0.0)
-        reach = std::min(reach, kMostBandOverErrors * errors);
+    const bool showBand = errors == 0.0 || band <= kMostBandOverErrors * errors;
+    double reach = showBand ? std::max(errors, band) : errors;
     // Below any length or angle that means something there is only rounding to show.
     constexpr double kLeast = 1e-30;
     reach = reach < kLeast ? 1.0 : std::min(reach, 1e200) * kHeadroom;

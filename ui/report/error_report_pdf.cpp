@@ -22,7 +22,7 @@ namespace {
 constexpr std::array<int, 6> kPrintOrder{3, 4, 5, 0, 1, 2};
 const std::array<QString, 6> kNames{QStringLiteral("x"), QStringLiteral("y"), QStringLiteral("z"),
                                     QStringLiteral("α"), QStringLiteral("β"), QStringLiteral("γ")};
-constexpr double kGapBelowSample = 5.0; // mm
+constexpr double kGapBelowSample = 4.0; // mm
 constexpr double kLinesAboveTable = 11.0;
 
 QString resolutionText(const ErrorReport& report) {
@@ -38,10 +38,10 @@ QString dateText(const QDateTime& date) {
     return QLocale::c().toString(date, QStringLiteral("yyyy-MM-dd HH:mm:ss ")) + offset;
 }
 
-QStringList statisticsRow(const QString& name, const PoseVector& values, bool si) {
+QStringList statisticsRow(const QString& name, const PoseVector& values, const PoseDecimals* common) {
     QStringList cells{name};
     for (const int k : kPrintOrder)
-        cells << errorText(si ? values[k] : commonUnits(k, values[k]));
+        cells << (common == nullptr ? errorText(values[k]) : common->commonError(k, values[k]));
     return cells;
 }
 
@@ -54,9 +54,11 @@ PoseVector typicalSigma(const ErrorReport& report) {
 }
 
 PdfPages::Table statisticsTable(const ErrorReport& report) {
+    const PoseDecimals decimals(report);
     PdfPages::Table table;
     table.widths = {50, 21, 21, 21, 21, 21, 21};
     for (const bool si : {true, false}) {
+        const PoseDecimals* common = si ? nullptr : &decimals;
         QStringList units{si ? QStringLiteral("Error in rad and m") : QStringLiteral("Error in deg and mm")};
         for (const int k : kPrintOrder)
             units << kNames[static_cast<std::size_t>(k)] +
@@ -66,13 +68,13 @@ PdfPages::Table statisticsTable(const ErrorReport& report) {
             table.header = units;
         else
             table.rows.push_back(units);
-        table.rows.push_back(statisticsRow(QStringLiteral("Mean"), report.statistics.mean, si));
-        table.rows.push_back(statisticsRow(QStringLiteral("RMS"), report.statistics.rms, si));
-        table.rows.push_back(statisticsRow(QStringLiteral("Maximum"), report.statistics.maximum, si));
+        table.rows.push_back(statisticsRow(QStringLiteral("Mean"), report.statistics.mean, common));
+        table.rows.push_back(statisticsRow(QStringLiteral("RMS"), report.statistics.rms, common));
+        table.rows.push_back(statisticsRow(QStringLiteral("Maximum"), report.statistics.maximum, common));
         table.rows.push_back(
-            statisticsRow(QStringLiteral("Predicted std. deviation"), typicalSigma(report), si));
+            statisticsRow(QStringLiteral("Predicted std. deviation"), typicalSigma(report), common));
         table.rows.push_back(
-            statisticsRow(QStringLiteral("Predicted bound"), largestPredictedBound(report), si));
+            statisticsRow(QStringLiteral("Predicted bound"), largestPredictedBound(report), common));
     }
     table.headerRows = {5};
     return table;
@@ -95,8 +97,8 @@ PdfPages::Table sampleTable(const ErrorRow& row, const PoseDecimals& decimals) {
         table.rows.push_back({kNames[static_cast<std::size_t>(k)], decimals.si(k, target[k]),
                               decimals.si(k, solved[k]), errorText(error[k]),
                               errorText(row.predictedBound[k]), decimals.common(k, target[k]),
-                              decimals.common(k, solved[k]), errorText(commonUnits(k, error[k])),
-                              errorText(commonUnits(k, row.predictedBound[k]))});
+                              decimals.common(k, solved[k]), decimals.commonError(k, error[k]),
+                              decimals.commonError(k, row.predictedBound[k])});
     }
     return table;
 }

@@ -21,6 +21,7 @@ const QColor kGrid(0xD8, 0xD8, 0xD8);
 constexpr double kTextSize = 13.0; // all sizes in units
 constexpr double kTickTextSize = 12.0;
 constexpr double kGap = 6.0;
+constexpr double kCrowdedRadius = 2.5; // of a marker
 
 /// One plot on its way to paper.
 class PlotPainter {
@@ -31,6 +32,7 @@ public:
 private:
     void layOut();
     QPointF at(double x, double y) const;
+    void paintNote();
     void paintBand();
     void paintGrid();
     void paintAxes();
@@ -38,7 +40,7 @@ private:
     void paintMarker(Plot::Marker marker, const QColor& colour, QPointF centre, double radius);
     void paintLegend();
     void paintLegendEntry(const Plot::Series* series, QPointF left);
-    double markerRadius(std::size_t points) const;
+    double markerRadius() const;
     QPen pen(const QColor& colour, double width) const {
         return {colour, width * m_unit, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin};
     }
@@ -70,7 +72,8 @@ void PlotPainter::layOut() {
     const double height = std::max(1.0, m_area.height() - top - bottom);
     m_yTicks = niceTicks(m_plot.y.low, m_plot.y.high,
                          std::max(2, static_cast<int>(height / (2.2 * m_tickMetrics.height()))));
-    double labels = 0.0;
+    double labels =
+        m_tickMetrics.horizontalAdvance(QStringLiteral("-0.00")); // plots above one another line up
     for (const QString& label : m_yTicks.labels)
         labels = std::max(labels, m_tickMetrics.horizontalAdvance(label));
     const double left = m_metrics.height() + labels + 3.0 * gap;
@@ -97,12 +100,19 @@ void PlotPainter::paint() {
     m_painter.restore();
     paintAxes();
     paintLegend();
-    if (!m_plot.note.isEmpty()) {
-        m_painter.setFont(m_font);
-        m_painter.setPen(kInk);
-        const QRectF upperHalf(m_frame.topLeft(), QSizeF(m_frame.width(), m_frame.height() / 2.0));
-        m_painter.drawText(upperHalf, Qt::AlignCenter, m_plot.note);
-    }
+    if (!m_plot.note.isEmpty())
+        paintNote();
+}
+
+void PlotPainter::paintNote() {
+    m_painter.setFont(m_font);
+    const double margin = kGap * m_unit;
+    QRectF box(QPointF(), QSizeF(m_metrics.horizontalAdvance(m_plot.note), m_metrics.height()));
+    box.moveCenter(QPointF(m_frame.center().x(), m_frame.top() + m_frame.height() / 4.0));
+    box.adjust(-margin, -margin, margin, margin);
+    m_painter.fillRect(box, Qt::white);
+    m_painter.setPen(kInk);
+    m_painter.drawText(box, Qt::AlignCenter, m_plot.note);
 }
 
 void PlotPainter::paintBand() {
@@ -172,15 +182,20 @@ void PlotPainter::paintAxes() {
     m_painter.restore();
 }
 
-double PlotPainter::markerRadius(std::size_t points) const {
-    const double room = m_frame.width() / static_cast<double>(std::max<std::size_t>(1, points));
+double PlotPainter::markerRadius() const {
+    const double points = std::max(1.0, m_plot.x.high - m_plot.x.low);
+    const double room = m_frame.width() / points;
     return std::clamp(room * 0.3, 1.6 * m_unit, 4.0 * m_unit);
 }
 
 void PlotPainter::paintSeries(const Plot::Series& series) {
     QPolygonF run;
-    const double radius = markerRadius(series.points.size());
-    m_painter.setPen(pen(series.colour, radius > 2.5 * m_unit ? 1.5 : 0.9));
+    const double radius = markerRadius();
+    // Lines between a great many samples would hide the samples.
+    const bool crowded = radius <= kCrowdedRadius * m_unit;
+    QColor colour = series.colour;
+    colour.setAlphaF(crowded ? 0.45F : 1.0F);
+    m_painter.setPen(pen(colour, crowded ? 0.7 : 1.5));
     m_painter.setBrush(Qt::NoBrush);
     const auto paintRun = [&] {
         if (series.connected && run.size() > 1)
@@ -203,12 +218,15 @@ void PlotPainter::paintMarker(Plot::Marker marker, const QColor& colour, QPointF
     const QPointF right(radius, 0.0);
     const QPointF down(0.0, radius);
     if (marker == Plot::Marker::Cross) {
-        m_painter.setPen(pen(colour, 1.8));
+        m_painter.setPen(pen(colour, 0.45 * radius / m_unit));
         m_painter.drawLine(centre - right - down, centre + right + down);
         m_painter.drawLine(centre - right + down, centre + right - down);
         return;
     }
-    m_painter.setPen(pen(Qt::white, 0.6)); // keeps markers apart that lie on one another
+    if (radius > kCrowdedRadius * m_unit)
+        m_painter.setPen(pen(Qt::white, 0.6)); // keeps markers apart that lie on one another
+    else
+        m_painter.setPen(Qt::NoPen);
     m_painter.setBrush(colour);
     if (marker == Plot::Marker::Circle)
         m_painter.drawEllipse(centre, radius, radius);

@@ -19,6 +19,8 @@ public:
     /// Coordinate 0..5 in the order x y z alpha beta gamma; values in m and rad.
     QString si(int coordinate, double value) const;     ///< m, rad
     QString common(int coordinate, double value) const; ///< mm, deg
+    /// The same for an error, in one decimal more; in three digits where that would show nothing of it.
+    QString commonError(int coordinate, double value) const;
 
 private:
     int m_metres, m_radians, m_mm, m_degrees;
