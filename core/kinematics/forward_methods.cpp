@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: MIT
-
 #include "core/kinematics/forward_methods.h"
 
 #include "core/geometry/input_error.h"
@@ -11,13 +10,31 @@
 
 namespace hexapose {
 
+namespace {
+
+const PolynomialModel& checkedModel(const ForwardMethod& method, const PlatformGeometry& geometry,
+                                    const PolynomialModel* model) {
+    const std::string where = "method " + std::string(method.word);
+    if (model == nullptr)
+        throw InputError(where, "needs a regression model of degree " + std::to_string(method.modelDegree));
+    if (model->spec.degree != method.modelDegree)
+        throw InputError(where, "needs a regression model of degree " + std::to_string(method.modelDegree) +
+                                    ", this one has degree " + std::to_string(model->spec.degree));
+    if (model->platformFingerprint != geometry.fingerprint())
+        throw InputError(where, "the model belongs to platform " + model->platformFingerprint +
+                                    ", this platform is " + geometry.fingerprint());
+    return *model;
+}
+
+} // namespace
+
 const std::vector<ForwardMethod>& forwardMethods() {
-    static const std::vector<ForwardMethod> kMethods{
+    static const std::vector<ForwardMethod> methods{
         {"newton", "Newton", 0},   {"newton-as-published", "Newton as published", 0},
         {"mpr2", "MPR2", 2},       {"mpr3", "MPR3", 3},
         {"mpr2-nr", "MPR2-NR", 2}, {"mpr3-nr", "MPR3-NR", 3},
     };
-    return kMethods;
+    return methods;
 }
 
 const ForwardMethod* findForwardMethod(std::string_view word) {
@@ -30,22 +47,14 @@ const ForwardMethod* findForwardMethod(std::string_view word) {
 std::unique_ptr<ForwardSolver> makeForwardSolver(const ForwardMethod& method,
                                                  const PlatformGeometry& geometry,
                                                  const PolynomialModel* model, const NewtonOptions& options) {
-    const std::string word(method.word);
-    if (method.modelDegree == 0) {
-        if (word == "newton")
-            return std::make_unique<NewtonRaphson>(geometry, options);
+    if (method.word == "newton")
+        return std::make_unique<NewtonRaphson>(geometry, options);
+    if (method.word == "newton-as-published")
         return std::make_unique<NewtonAsPublished>(geometry, options);
-    }
-    if (!model)
-        throw InputError(word, "needs a regression model");
-    if (model->spec.degree != method.modelDegree)
-        throw InputError(word, "needs a model of degree " + std::to_string(method.modelDegree) + ", not " +
-                                   std::to_string(model->spec.degree));
-    if (model->platformFingerprint != geometry.fingerprint())
-        throw InputError(word, "the model is of another platform");
-    if (word.ends_with("-nr"))
-        return std::make_unique<MprNewton>(geometry, *model, options);
-    return std::make_unique<PolynomialRegression>(geometry, *model);
+    const PolynomialModel& checked = checkedModel(method, geometry, model);
+    if (method.word.ends_with("-nr"))
+        return std::make_unique<MprNewton>(geometry, checked, options);
+    return std::make_unique<PolynomialRegression>(geometry, checked);
 }
 
 } // namespace hexapose

@@ -87,22 +87,16 @@ LegEquations::Matrix LegEquations::jacobian(const Evaluation& at) const noexcept
 double LegEquations::newtonStep(const Evaluation& at, Step& step) const noexcept {
     // Rows are left multiplied by |d_i|, which saves the divisions and changes only the determinant.
     const double s = 1.0 / m_spread;
-    LinearSystem system;
-    for (std::size_t i = 0; i < kLegCount; ++i) {
-        const auto k = static_cast<Eigen::Index>(i);
-        system[i] = {at.dx[k],
-                     at.dy[k],
-                     at.dz[k],
-                     s * (at.ry[k] * at.dz[k] - at.rz[k] * at.dy[k]),
-                     s * (at.rz[k] * at.dx[k] - at.rx[k] * at.dz[k]),
-                     s * (at.rx[k] * at.dy[k] - at.ry[k] * at.dx[k]),
-                     at.length[k] * at.error[k]};
-    }
-    std::array<double, 6> x;
-    const double determinant = solveLinearSystem(system, x) / at.length.prod();
+    LinearSystem system{at.dx,
+                        at.dy,
+                        at.dz,
+                        s * (at.ry * at.dz - at.rz * at.dy),
+                        s * (at.rz * at.dx - at.rx * at.dz),
+                        s * (at.rx * at.dy - at.ry * at.dx),
+                        at.length * at.error};
+    const double determinant = solveLinearSystem(system, step) / at.length.prod();
     if (!(determinant != 0.0) || !std::isfinite(determinant))
         return 0.0;
-    step = Step::Map(x.data());
     return determinant;
 }
 

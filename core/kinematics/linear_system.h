@@ -2,45 +2,42 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <Eigen/Core>
+
 #include <array>
-#include <cmath>
-#include <utility>
 
 namespace hexapose {
 
-/// Six linear equations, one a row: six coefficients, then the right-hand side.
-using LinearSystem = std::array<std::array<double, 7>, 6>;
+/// Six linear equations by columns: six of coefficients, then the right-hand side.
+using LinearSystem = std::array<Eigen::Array<double, 6, 1>, 7>;
 
-/// Gaussian elimination with partial pivoting, in place. Returns the determinant; x is the solution where
+/// Gauss-Jordan elimination with partial pivoting, in place. Works on whole columns and leaves the rows where
+/// they are, so that every operation is a short vector one. Returns the determinant; x is the solution where
 /// that is neither zero nor NaN.
-inline double solveLinearSystem(LinearSystem& m, std::array<double, 6>& x) noexcept {
+inline double solveLinearSystem(LinearSystem& columns, Eigen::Matrix<double, 6, 1>& x) noexcept {
+    Eigen::Array<double, 6, 1> unused = Eigen::Array<double, 6, 1>::Ones();
+    std::array<Eigen::Index, 6> pivotRow{};
     double determinant = 1.0;
     for (std::size_t k = 0; k < 6; ++k) {
-        std::size_t pivot = k;
-        for (std::size_t i = k + 1; i < 6; ++i)
-            if (std::abs(m[i][k]) > std::abs(m[pivot][k]))
-                pivot = i;
-        if (pivot != k) {
-            std::swap(m[pivot], m[k]);
-            determinant = -determinant;
-        }
-        determinant *= m[k][k];
+        Eigen::Index row = 0;
+        (columns[k].abs() * unused).maxCoeff(&row);
+        const double pivot = columns[k][row];
+        determinant *= pivot;
         if (!(determinant != 0.0))
             return 0.0;
-        const double inverse = 1.0 / m[k][k];
-        for (std::size_t i = k + 1; i < 6; ++i) {
-            const double factor = m[i][k] * inverse;
-            for (std::size_t j = k + 1; j < 7; ++j)
-                m[i][j] -= factor * m[k][j];
-        }
-        m[k][k] = inverse; // kept for the way back
+        // An odd number of rows jumped over is an odd number of swaps.
+        if ((static_cast<int>(unused.head(row).sum()) & 1) != 0)
+            determinant = -determinant;
+        unused[row] = 0.0;
+        pivotRow[k] = row;
+        Eigen::Array<double, 6, 1> factor = columns[k] * (1.0 / pivot);
+        factor[row] = 0.0;
+        for (std::size_t j = k + 1; j < 7; ++j)
+            columns[j] -= factor * columns[j][row];
+        columns[k][row] = pivot;
     }
-    for (std::size_t k = 6; k-- > 0;) {
-        double sum = m[k][6];
-        for (std::size_t j = k + 1; j < 6; ++j)
-            sum -= m[k][j] * x[j];
-        x[k] = sum * m[k][k];
-    }
+    for (std::size_t k = 0; k < 6; ++k)
+        x[static_cast<Eigen::Index>(k)] = columns[6][pivotRow[k]] / columns[k][pivotRow[k]];
     return determinant;
 }
 

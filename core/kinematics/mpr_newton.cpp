@@ -1,45 +1,47 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: MIT
-
 #include "core/kinematics/mpr_newton.h"
 
 #include "core/kinematics/solver_checks.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace hexapose {
 
 namespace {
 
-/// The regression's own error must not put a pose at the edge of the trained box outside it.
-constexpr double kBoxSlack = 1.05;
-constexpr double kLengthSlack = 0.01; ///< of the span of lengths met in training
-constexpr double kResidualSlack = 2.0;
+/// Slack of the tests for "within what the model was trained on": training poses are a sample of their box.
+constexpr double kLengthSlack = 0.02;   // of the range of each length met in training
+constexpr double kPoseSlack = 0.05;     // of the range of each coordinate, beside the model's own error
+constexpr double kResidualFactor = 2.0; // of the largest residual in training
+
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 struct Regression {
     Pose pose;
-    double residual = 0.0;
-    bool insideModel = false;
+    double residual;
+    bool inside;
 };
 
 Regression regress(const PlatformGeometry& geometry, const PolynomialModel& model,
                    const LegLengths& lengths) noexcept {
-    Regression result;
-    const PoseVector pose = model.evaluate(lengths);
-    result.pose = Pose::fromVector(pose);
-    result.residual = legResidual(geometry, lengths, result.pose);
-    const LegLengths slack = kLengthSlack * (model.maxLength - model.minLength);
-    result.insideModel = (lengths.array() >= (model.minLength - slack).array()).all() &&
-                         (lengths.array() <= (model.maxLength + slack).array()).all() &&
-                         pose.head<3>().cwiseAbs().maxCoeff() <= kBoxSlack * model.spec.offsetRange &&
-                         pose.tail<3>().cwiseAbs().maxCoeff() <= kBoxSlack * model.spec.angleRange &&
-                         result.residual <= kResidualSlack * model.maxResidual;
-    return result;
+    const PoseVector coordinates = model.evaluate(lengths);
+    const Pose pose = Pose::fromVector(coordinates);
+    const double residual = legResidual(geometry, lengths, pose);
+    const LegVector slack = kLengthSlack * (model.maxLength - model.minLength);
+    PoseVector box;
+    box << Eigen::Vector3d::Constant(model.spec.offsetRange),
+        Eigen::Vector3d::Constant(model.spec.angleRange);
+    box = (1.0 + kPoseSlack) * box + model.maxError;
+    const bool inside = ((lengths - model.minLength + slack).array() >= 0.0).all() &&
+                        ((model.maxLength - lengths + slack).array() >= 0.0).all() &&
+                        ((box - coordinates.cwiseAbs()).array() >= 0.0).all() &&
+                        residual <= kResidualFactor * model.maxResidual;
+    return {pose, residual, inside};
 }
 
-std::string methodName(const PolynomialModel& model, const char* suffix) {
-    return "mpr" + std::to_string(model.spec.degree) + suffix;
+std::string methodName(const PolynomialModel& model, const char* ending) {
+    return "mpr" + std::to_string(model.spec.degree) + ending;
 }
 
 } // namespace
@@ -49,39 +51,37 @@ PolynomialRegression::PolynomialRegression(const PlatformGeometry& geometry, Pol
 
 ForwardResult PolynomialRegression::solve(const LegLengths& lengths, const Pose&) const noexcept {
     if (!areLengths(lengths))
-        return withoutPose(SolveStatus::InvalidInput, 0, std::numeric_limits<double>::quiet_NaN());
+        return withoutPose(SolveStatus::InvalidInput, 0, kNoNumber);
     const Regression found = regress(m_geometry, m_model, lengths);
-    ForwardResult result;
-    result.pose = found.insideModel ? normalised(found.pose) : found.pose;
-    result.status = found.insideModel ? SolveStatus::Converged : SolveStatus::OutsideModel;
-    result.residual = found.residual;
-    return result;
+    if (!found.pose.isFinite())
+        return withoutPose(SolveStatus::NoSolution, 0, kNoNumber);
+    return {normalised(found.pose), found.inside ? SolveStatus::Converged : SolveStatus::OutsideModel, 0,
+            found.residual, found.inside};
 }
 
 MprNewton::MprNewton(const PlatformGeometry& geometry, PolynomialModel model, const NewtonOptions& options)
     : m_geometry(geometry), m_model(std::move(model)), m_newton(geometry, options),
-      m_tolerance(m_newton.tolerance()), m_name(methodName(m_model, "-nr")) {}
+      m_name(methodName(m_model, "-nr")) {}
 
 ForwardResult MprNewton::solve(const LegLengths& lengths, const Pose& start) const noexcept {
-    if (!areLengths(lengths))
-        return withoutPose(SolveStatus::InvalidInput, 0, std::numeric_limits<double>::quiet_NaN());
+    if (!areLengths(lengths) || !start.isFinite())
+        return withoutPose(SolveStatus::InvalidInput, 0, kNoNumber);
     const Regression found = regress(m_geometry, m_model, lengths);
-    if (found.insideModel && found.residual <= m_tolerance)
-        return {normalised(found.pose), SolveStatus::Converged, 0, found.residual, true};
-
-    ForwardResult result = m_newton.solve(lengths, found.insideModel ? found.pose : start);
-    int iterations = result.iterations;
-    for (const Pose& other : {start, Pose{}}) {
-        if (result.isUsable())
-            break;
-        const ForwardResult again = m_newton.solve(lengths, other);
-        iterations += again.iterations;
-        if (again.isUsable())
-            result = again;
+    ForwardResult result;
+    int iterations = 0;
+    const auto solvedFrom = [&](const Pose& from) {
+        const ForwardResult attempt = m_newton.solve(lengths, from);
+        iterations += attempt.iterations;
+        // The first failure stays the answer unless a later start succeeds.
+        if (attempt.status == SolveStatus::Converged || iterations == attempt.iterations)
+            result = attempt;
+        return attempt.status == SolveStatus::Converged;
+    };
+    if ((found.inside && solvedFrom(found.pose)) || solvedFrom(start) || solvedFrom(Pose{})) {
+        if (!found.inside)
+            result.status = SolveStatus::OutsideModel;
     }
     result.iterations = iterations;
-    if (!found.insideModel && result.status == SolveStatus::Converged)
-        result.status = SolveStatus::OutsideModel;
     return result;
 }
 

@@ -37,7 +37,6 @@ private:
     PlatformGeometry m_geometry;
     PolynomialModel m_model;
     NewtonRaphson m_newton;
-    double m_tolerance;
     std::string m_name;
 };
 

@@ -4,56 +4,42 @@
 
 #include "core/geometry/leg_lengths.h"
 
-#include <array>
-#include <cstddef>
-
 namespace hexapose {
 
+inline constexpr int kMinDegree = 1;
 inline constexpr int kMaxDegree = 4;
-inline constexpr std::size_t kMaxMonomials = 210;
 
-/// Number of distinct monomials in six variables up to a degree: 7, 28, 84, 210 for degree 1 to 4.
-constexpr std::size_t monomialCount(int degree) {
-    std::size_t count = 1;
-    for (int k = 1; k <= degree; ++k)
-        count = count * static_cast<std::size_t>(kLegCount + k) / static_cast<std::size_t>(k);
-    return count;
+/// n over k.
+constexpr int binomial(int n, int k) {
+    int result = 1;
+    for (int i = 1; i <= k; ++i)
+        result = result * (n - k + i) / i;
+    return result;
 }
 
-/// How each monomial comes from an earlier one: value = value of `parent` times variable `variable`. Monomial
-/// 0 is 1. By degree, and within a degree by parent and rising variable, so that every product stands here
-/// once.
-struct MonomialTable {
-    std::array<unsigned char, kMaxMonomials> parent{};
-    std::array<unsigned char, kMaxMonomials> variable{};
-};
+/// Distinct monomials of six variables up to a degree: 7, 28, 84, 210.
+constexpr int monomialCount(int degree) {
+    return binomial(kLegCount + degree, kLegCount);
+}
 
-constexpr MonomialTable makeMonomialTable() {
-    MonomialTable table;
-    std::size_t next = 1;
-    std::size_t degreeBegin = 0;
-    for (int degree = 1; degree <= kMaxDegree; ++degree) {
-        const std::size_t degreeEnd = next;
-        for (std::size_t parent = degreeBegin; parent < degreeEnd; ++parent) {
-            const std::size_t first = parent == 0 ? 0 : table.variable[parent];
-            for (std::size_t variable = first; variable < static_cast<std::size_t>(kLegCount); ++variable) {
-                table.parent[next] = static_cast<unsigned char>(parent);
-                table.variable[next] = static_cast<unsigned char>(variable);
-                ++next;
-            }
+inline constexpr int kMaxMonomials = monomialCount(kMaxDegree);
+
+/// Builds the monomials in their order, degree by degree. The monomials of degree d that end in variable k
+/// are u_k times those of degree d-1 in the variables 0 to k, which stand side by side: each is one product
+/// of an earlier one, and they come in runs. Calls run(k, first parent, first child, count) for each;
+/// monomial 0 is 1.
+template <class Run>
+constexpr void forEachMonomialRun(int degree, Run&& run) {
+    int parents = 0, child = 1;
+    for (int d = 1; d <= degree; ++d) {
+        const int next = child;
+        for (int k = 0; k < kLegCount; ++k) {
+            const int count = binomial(d - 1 + k, k);
+            run(k, parents, child, count);
+            child += count;
         }
-        degreeBegin = degreeEnd;
+        parents = next;
     }
-    return table;
-}
-
-inline constexpr MonomialTable kMonomials = makeMonomialTable();
-
-/// The first `count` monomials of u.
-inline void fillMonomials(const LegVector& u, std::size_t count, double* values) noexcept {
-    values[0] = 1.0;
-    for (std::size_t i = 1; i < count; ++i)
-        values[i] = values[kMonomials.parent[i]] * u[kMonomials.variable[i]];
 }
 
 } // namespace hexapose

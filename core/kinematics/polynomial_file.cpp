@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: MIT
-
 #include "core/kinematics/polynomial_file.h"
 
 #include "core/geometry/fnv1a.h"
@@ -11,181 +10,196 @@
 
 #include <toml++/toml.h>
 
-#include <array>
-#include <bit>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
-#include <memory>
-#include <string>
-#include <system_error>
-#include <unistd.h>
+#include <fstream>
+#include <random>
 
 namespace hexapose {
 
 namespace {
 
 constexpr std::int64_t kFormat = 1;
-constexpr std::string_view kChecksumStart = "checksum = \"fnv1a64:";
-constexpr std::string_view kChecksumEnd = "\"\n";
-constexpr std::size_t kChecksumDigits = 16;
-constexpr std::array<const char*, 6> kOutputs{"x_m", "y_m", "z_m", "alpha_rad", "beta_rad", "gamma_rad"};
-constexpr Eigen::Index kNumbersALine = 6;
 
-std::string checksum(std::string_view bytes) {
+/// The last line of a model file, over every byte before it.
+std::string checksumLine(std::string_view body) {
     Fnv1a hash;
-    hash.add(bytes);
-    return hash.hex();
+    hash.add(body);
+    return "checksum = \"fnv1a64:" + hash.hex() + "\"\n";
 }
 
-void appendArray(std::string& out, const char* key, const Eigen::Ref<const Eigen::VectorXd>& values) {
-    out += std::string(key) + " = [";
-    for (Eigen::Index i = 0; i < values.size(); ++i) {
-        out += i == 0 ? "" : ",";
-        out += i % kNumbersALine == 0 && values.size() > kNumbersALine ? "\n  " : (i == 0 ? "" : " ");
-        out += formatNumber(values[i]);
-    }
-    out += "]\n";
+template <class Vector>
+std::string formatList(const Vector& values) {
+    std::string text = "[";
+    for (Eigen::Index i = 0; i < values.size(); ++i)
+        text += (i == 0 ? "" : ", ") + formatTomlNumber(values[i]);
+    return text + ']';
 }
 
-/// The text before the checksum line; anything but an unaltered file is an error.
-std::string_view checkedBody(std::string_view text, const std::string& source) {
-    const std::size_t tail = kChecksumStart.size() + kChecksumDigits + kChecksumEnd.size();
-    const auto refuse = [&] {
-        throw InputError(source, "is truncated or altered: its checksum does not fit");
-    };
-    if (text.size() < tail)
-        refuse();
-    const std::string_view body = text.substr(0, text.size() - tail);
-    const std::string expected = std::string(kChecksumStart) + checksum(body) + std::string(kChecksumEnd);
-    if (text.substr(body.size()) != expected || (!body.empty() && body.back() != '\n'))
-        refuse();
-    return body;
-}
-
-/// Reads the keys of a model; everything that is not as it should be is an error that names the key.
-class ModelReader {
+/// Takes the fields out of the document; a field that is not as written is an error.
+class Reader {
 public:
-    ModelReader(std::string_view text, const std::string& source) : m_source(source) {
-        try {
-            m_table = toml::parse(text, source);
-        } catch (const toml::parse_error& error) {
-            throw InputError(source, static_cast<long>(error.source().begin.line),
-                             std::string(error.description()));
-        }
+    Reader(const toml::table& root, const std::string& source) : m_root(root), m_source(source) {}
+
+    [[noreturn]] void fail(const std::string& cause) const { throw InputError(m_source, cause); }
+
+    std::int64_t integer(std::string_view key) const {
+        const toml::node* node = m_root.get(key);
+        if (node == nullptr || !node->is_integer())
+            fail("key \"" + std::string(key) + "\" is missing or not an integer");
+        return node->value<std::int64_t>().value_or(0);
+    }
+    std::string text(std::string_view key) const {
+        const toml::node* node = m_root.get(key);
+        if (node == nullptr || !node->is_string())
+            fail("key \"" + std::string(key) + "\" is missing or not text");
+        return node->value<std::string>().value_or("");
+    }
+    double number(std::string_view key) const { return finite(m_root.get(key), key); }
+
+    /// A list of exactly `count` numbers.
+    Eigen::VectorXd list(std::string_view key, int count) const {
+        return numbers(m_root.get(key), key, count);
     }
 
-    template <typename T>
-    T value(const char* key) const {
-        const std::optional<T> found = m_table[key].template value<T>();
-        if (!found)
-            refuse(key, "is missing or not of its type");
-        return *found;
-    }
-
-    std::vector<double> numbers(const char* key, std::size_t count) const {
-        const toml::array* array = m_table[key].as_array();
-        if (!array || array->size() != count)
-            refuse(key, "does not have " + std::to_string(count) + " numbers");
-        std::vector<double> values;
-        for (const toml::node& node : *array) {
-            const std::optional<double> number = node.value<double>();
-            if (!number || !std::isfinite(*number))
-                refuse(key, "holds something that is not a finite number");
-            values.push_back(*number);
-        }
-        return values;
-    }
-
-    LegLengths lengths(const char* key) const { return LegLengths(numbers(key, kLegCount).data()); }
-
-    [[noreturn]] void refuse(const char* key, const std::string& cause) const {
-        throw InputError(m_source, std::string(key) + " " + cause);
+    /// A list of `count` columns of six.
+    Eigen::Matrix<double, 6, Eigen::Dynamic> columns(std::string_view key, int count) const {
+        const toml::array* outer = arrayOf(m_root.get(key), key, count, "monomials");
+        Eigen::Matrix<double, 6, Eigen::Dynamic> result(6, count);
+        for (int i = 0; i < count; ++i)
+            result.col(i) = numbers(outer->get(static_cast<std::size_t>(i)), key, 6);
+        return result;
     }
 
 private:
-    std::string m_source;
-    toml::table m_table;
+    double finite(const toml::node* node, std::string_view key) const {
+        const auto value = node != nullptr && node->is_number() ? node->value<double>() : std::nullopt;
+        if (!value || !std::isfinite(*value))
+            fail("key \"" + std::string(key) + "\" is missing or not a finite number");
+        return *value;
+    }
+    const toml::array* arrayOf(const toml::node* node, std::string_view key, int count,
+                               const char* what) const {
+        const toml::array* list = node != nullptr ? node->as_array() : nullptr;
+        if (list == nullptr || list->size() != static_cast<std::size_t>(count))
+            fail("key \"" + std::string(key) + "\" has " +
+                 std::to_string(list == nullptr ? 0 : list->size()) + ' ' + what + ", expected " +
+                 std::to_string(count));
+        return list;
+    }
+    Eigen::VectorXd numbers(const toml::node* node, std::string_view key, int count) const {
+        const toml::array* list = arrayOf(node, key, count, "numbers");
+        Eigen::VectorXd result(count);
+        for (int i = 0; i < count; ++i)
+            result[i] = finite(list->get(static_cast<std::size_t>(i)), key);
+        return result;
+    }
+
+    const toml::table& m_root;
+    const std::string& m_source;
 };
+
+std::uint64_t parseSeed(const Reader& reader) {
+    const std::string text = reader.text("seed");
+    std::uint64_t seed = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+    if (error != std::errc{} || end != text.data() + text.size())
+        reader.fail("seed \"" + text + "\" is not a whole number");
+    return seed;
+}
+
+PolynomialModel readModel(const Reader& reader, const PlatformGeometry& geometry) {
+    if (const auto format = reader.integer("format"); format != kFormat)
+        reader.fail("unknown format " + std::to_string(format) + ", expected " + std::to_string(kFormat));
+    PolynomialModel model;
+    model.platformFingerprint = reader.text("platform");
+    if (model.platformFingerprint != geometry.fingerprint())
+        reader.fail("the model belongs to platform " + model.platformFingerprint + ", this platform is " +
+                    geometry.fingerprint());
+    const std::int64_t degree = reader.integer("degree");
+    if (degree < kMinDegree || degree > kMaxDegree)
+        reader.fail("degree " + std::to_string(degree) + " is not one of 1 to 4");
+    model.spec.degree = static_cast<int>(degree);
+    model.spec.samples = reader.integer("samples");
+    model.spec.seed = parseSeed(reader);
+    model.spec.offsetRange = reader.number("offset_range_m");
+    model.spec.angleRange = reader.number("angle_range_rad");
+    model.lengthCentre = reader.list("length_centre_m", kLegCount);
+    model.lengthScale = reader.list("length_scale_m", kLegCount);
+    model.minLength = reader.list("min_length_m", kLegCount);
+    model.maxLength = reader.list("max_length_m", kLegCount);
+    model.maxResidual = reader.number("max_residual_m");
+    model.maxError = reader.list("max_error_m_rad", 6);
+    model.coefficients = reader.columns("coefficients", monomialCount(model.spec.degree));
+    if (!(model.spec.offsetRange > 0.0 && model.spec.angleRange > 0.0 && model.spec.samples > 0))
+        reader.fail("the training ranges or samples are not positive");
+    if (!((model.lengthScale.array() > 0.0).all() &&
+          (model.minLength.array() <= model.maxLength.array()).all()))
+        reader.fail("the length scales or ranges are not positive");
+    if (!(model.maxResidual >= 0.0 && (model.maxError.array() >= 0.0).all()))
+        reader.fail("the training errors are negative");
+    return model;
+}
 
 } // namespace
 
 std::string formatModel(const PolynomialModel& model) {
-    std::string out = "format = " + std::to_string(kFormat) + "\n";
-    out += "platform = \"" + model.platformFingerprint + "\"\n";
-    out += "degree = " + std::to_string(model.spec.degree) + "\n";
-    out += "offset_range_m = " + formatNumber(model.spec.offsetRange) + "\n";
-    out += "angle_range_rad = " + formatNumber(model.spec.angleRange) + "\n";
-    out += "samples = " + std::to_string(model.spec.samples) + "\n";
-    // TOML's integers are signed: the seed goes through the bits of one.
-    out += "seed = " + std::to_string(std::bit_cast<std::int64_t>(model.spec.seed)) + "\n";
-    appendArray(out, "length_centre_m", model.lengthCentre);
-    appendArray(out, "length_scale_m", model.lengthScale);
-    appendArray(out, "min_length_m", model.minLength);
-    appendArray(out, "max_length_m", model.maxLength);
-    out += "max_residual_m = " + formatNumber(model.maxResidual) + "\n";
-    for (int k = 0; k < 6; ++k) {
-        appendArray(out, kOutputs[static_cast<std::size_t>(k)], model.coefficients.row(k).transpose());
-    }
-    return out + std::string(kChecksumStart) + checksum(out) + std::string(kChecksumEnd);
+    std::string text =
+        "# Regression of the pose on the leg lengths, made by Hexapose. Not to be edited.\nformat = " +
+        std::to_string(kFormat) + "\nplatform = \"" + model.platformFingerprint +
+        "\"\ndegree = " + std::to_string(model.spec.degree) +
+        "\nsamples = " + std::to_string(model.spec.samples) + "\nseed = \"" +
+        std::to_string(model.spec.seed) + // all 64 bits, which a TOML integer cannot hold
+        "\"\noffset_range_m = " + formatTomlNumber(model.spec.offsetRange) +
+        "\nangle_range_rad = " + formatTomlNumber(model.spec.angleRange) +
+        "\nlength_centre_m = " + formatList(model.lengthCentre) +
+        "\nlength_scale_m = " + formatList(model.lengthScale) +
+        "\nmin_length_m = " + formatList(model.minLength) +
+        "\nmax_length_m = " + formatList(model.maxLength) +
+        "\nmax_residual_m = " + formatTomlNumber(model.maxResidual) +
+        "\nmax_error_m_rad = " + formatList(model.maxError) + "\ncoefficients = [\n";
+    for (Eigen::Index i = 0; i < model.coefficients.cols(); ++i)
+        text += "  " + formatList(model.coefficients.col(i)) + ",\n";
+    text += "]\n";
+    return text + checksumLine(text);
 }
 
-PolynomialModel parseModel(std::string_view text, const std::string& sourceName,
-                           const PlatformGeometry& geometry) {
-    const ModelReader reader(checkedBody(text, sourceName), sourceName);
-    const auto format = reader.value<std::int64_t>("format");
-    if (format != kFormat)
-        reader.refuse("format", std::to_string(format) + " is not known (known: 1)");
-    PolynomialModel model;
-    model.platformFingerprint = reader.value<std::string>("platform");
-    if (model.platformFingerprint != geometry.fingerprint())
-        throw InputError(sourceName, "is a model of another platform (" + model.platformFingerprint +
-                                         ", but " + geometry.name + " is " + geometry.fingerprint() + ")");
-    const auto degree = reader.value<std::int64_t>("degree");
-    if (degree < 1 || degree > kMaxDegree)
-        reader.refuse("degree", std::to_string(degree) + " is not 1 to 4");
-    model.spec.degree = static_cast<int>(degree);
-    model.spec.offsetRange = reader.value<double>("offset_range_m");
-    model.spec.angleRange = reader.value<double>("angle_range_rad");
-    model.spec.samples = reader.value<std::int64_t>("samples");
-    model.spec.seed = std::bit_cast<std::uint64_t>(reader.value<std::int64_t>("seed"));
-    model.lengthCentre = reader.lengths("length_centre_m");
-    model.lengthScale = reader.lengths("length_scale_m");
-    if (!(model.lengthScale.minCoeff() > 0.0))
-        reader.refuse("length_scale_m", "is not above 0");
-    model.minLength = reader.lengths("min_length_m");
-    model.maxLength = reader.lengths("max_length_m");
-    model.maxResidual = reader.value<double>("max_residual_m");
-    const std::size_t count = monomialCount(model.spec.degree);
-    model.coefficients.resize(6, static_cast<Eigen::Index>(count));
-    for (int k = 0; k < 6; ++k) {
-        const std::vector<double> row = reader.numbers(kOutputs[static_cast<std::size_t>(k)], count);
-        model.coefficients.row(k) =
-            Eigen::Map<const Eigen::RowVectorXd>(row.data(), static_cast<Eigen::Index>(count));
+void saveModel(const PolynomialModel& model, const std::filesystem::path& file) {
+    std::filesystem::path part = file;
+    part += ".part-" + std::to_string(std::random_device{}()); // two programs may save at once
+    const std::string text = formatModel(model);
+    std::ofstream stream(part, std::ios::binary);
+    stream.write(text.data(), static_cast<std::streamsize>(text.size()));
+    stream.close();
+    std::error_code error;
+    if (stream)
+        std::filesystem::rename(part, file, error);
+    if (!stream || error) {
+        std::error_code ignored;
+        std::filesystem::remove(part, ignored);
+        throw InputError(file.string(), "cannot be written");
     }
-    return model;
 }
 
 PolynomialModel loadModel(const std::filesystem::path& file, const PlatformGeometry& geometry) {
     return parseModel(readTextFile(file), file.string(), geometry);
 }
 
-void saveModel(const PolynomialModel& model, const std::filesystem::path& file) {
-    const std::string text = formatModel(model);
-    const std::filesystem::path half = file.string() + "." + std::to_string(getpid()) + ".part";
-    const auto refuse = [&](int number) {
-        std::error_code ignored;
-        std::filesystem::remove(half, ignored);
-        throw InputError(file.string(), "cannot be written: " + std::generic_category().message(number));
-    };
-    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> out(std::fopen(half.c_str(), "wb"), &std::fclose);
-    if (!out)
-        refuse(errno);
-    if (std::fwrite(text.data(), 1, text.size(), out.get()) != text.size() || std::fflush(out.get()) != 0)
-        refuse(errno);
-    std::error_code error;
-    std::filesystem::rename(half, file, error);
-    if (error)
-        refuse(error.value());
+PolynomialModel parseModel(std::string_view text, const std::string& sourceName,
+                           const PlatformGeometry& geometry) {
+    const std::size_t lineLength = checksumLine({}).size();
+    if (text.size() < lineLength)
+        throw InputError(sourceName, "is not a model file, or is truncated");
+    const std::string_view body = text.substr(0, text.size() - lineLength);
+    if (text.substr(body.size()) != checksumLine(body))
+        throw InputError(sourceName, "the checksum does not fit; the model file is damaged or truncated");
+    try {
+        const toml::table root = toml::parse(body);
+        return readModel(Reader(root, sourceName), geometry);
+    } catch (const toml::parse_error& error) {
+        throw InputError(sourceName, static_cast<long>(error.source().begin.line),
+                         std::string(error.description()));
+    }
 }
 
 } // namespace hexapose

@@ -1,91 +1,111 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: MIT
-
 #include "core/kinematics/polynomial_model.h"
 
 #include "core/geometry/fnv1a.h"
 #include "core/geometry/input_error.h"
+#include "core/geometry/number_text.h"
 #include "core/geometry/units.h"
 #include "core/kinematics/newton_raphson.h"
 #include "core/kinematics/polynomial_basis.h"
-#include "core/kinematics/random_poses.h"
+#include "core/kinematics/pose_samples.h"
 #include "core/kinematics/singularity.h"
 
+#include <algorithm>
 #include <array>
-#include <cmath>
+#include <charconv>
 
 namespace hexapose {
 
 namespace {
 
-/// +-40 mm over the 0.2999165 m of the laboratory platform.
-constexpr double kOffsetOfSize = 0.040 / 0.2999165;
-constexpr double kLargestAngleDeg = 40.0;
-/// A model may not reach closer to a singular pose than this (smallest singular value of the scaled
-/// Jacobian).
-constexpr double kSingularMargin = 0.02;
+/// Smallest singular value that a training pose may have: 0.16 over the published range of the laboratory
+/// platform. Nearer to a singularity the pose is no smooth function of the lengths any more.
+constexpr double kTrainableSingularValue = 0.05;
 constexpr int kProbes = 2000;
-constexpr int kMostHalvings = 8;
+constexpr std::uint64_t kProbeSeed = 20230382;
+constexpr int kMostHalvings = 20;
 
-bool isRegular(const PlatformGeometry& geometry, const TrainingSpec& spec, double homeSign) {
-    RandomPoses poses(spec.offsetRange, spec.angleRange, spec.seed);
-    for (int k = 0; k < kProbes; ++k) {
-        const SingularityMeasure measure = singularityMeasure(geometry, poses());
-        if (measure.determinant * homeSign <= 0.0 || measure.smallestSingularValue < kSingularMargin)
+/// Two digits: a range that a person would choose.
+double rounded(double value) {
+    std::array<char, 32> text{};
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::scientific, 1).ptr;
+    return parseNumber({text.data(), end}).value_or(value);
+}
+
+bool isTrainable(const PlatformGeometry& geometry, const TrainingSpec& spec, double homeDeterminant) {
+    PoseSamples samples(spec, kProbeSeed, 0);
+    for (int i = 0; i < kProbes; ++i) {
+        const SingularityMeasure measure = singularityMeasure(geometry, samples.next());
+        if (!(measure.determinant * homeDeterminant > 0.0) ||
+            !(measure.smallestSingularValue > kTrainableSingularValue))
             return false;
     }
     return true;
-}
-
-/// To three figures, so that 40 mm are 40 mm.
-double rounded(double metres) {
-    const double scale = std::pow(10.0, 2.0 - std::floor(std::log10(metres)));
-    return std::round(metres * scale) / scale;
 }
 
 } // namespace
 
 PoseVector PolynomialModel::evaluate(const LegLengths& lengths) const noexcept {
     const LegVector u = (lengths - lengthCentre).cwiseQuotient(lengthScale);
-    std::array<double, kMaxMonomials> monomials;
-    const auto count = static_cast<std::size_t>(coefficients.cols());
-    fillMonomials(u, count, monomials.data());
-    PoseVector pose = PoseVector::Zero();
-    for (std::size_t i = 0; i < count; ++i)
-        pose.noalias() += monomials[i] * coefficients.col(static_cast<Eigen::Index>(i));
-    return pose;
+    alignas(64) std::array<double, kMaxMonomials> monomials;
+    double* const m = monomials.data();
+    m[0] = 1.0;
+    forEachMonomialRun(spec.degree, [&](int variable, int parent, int child, int count) {
+        for (int i = 0; i < count; ++i)
+            m[child + i] = u[variable] * m[parent + i];
+    });
+    // Two sums, so that one does not wait for the other.
+    PoseVector even = coefficients.col(0), odd = PoseVector::Zero();
+    const auto count = coefficients.cols();
+    for (Eigen::Index i = 1; i + 1 < count; i += 2) {
+        odd += m[i] * coefficients.col(i);
+        even += m[i + 1] * coefficients.col(i + 1);
+    }
+    if (count % 2 == 0)
+        odd += m[count - 1] * coefficients.col(count - 1);
+    return even + odd;
 }
 
 std::string PolynomialModel::fingerprint() const {
     Fnv1a hash;
     hash.add(platformFingerprint);
+    hash.add(specFingerprint(spec));
+    for (int i = 0; i < kLegCount; ++i) {
+        hash.add(lengthCentre[i]);
+        hash.add(lengthScale[i]);
+    }
+    for (const double coefficient : coefficients.reshaped())
+        hash.add(coefficient);
+    return hash.hex();
+}
+
+std::string specFingerprint(const TrainingSpec& spec) {
+    Fnv1a hash;
     hash.add(static_cast<std::uint64_t>(spec.degree));
     hash.add(spec.offsetRange);
     hash.add(spec.angleRange);
     hash.add(static_cast<std::uint64_t>(spec.samples));
     hash.add(spec.seed);
-    for (const LegLengths& v : {lengthCentre, lengthScale, minLength, maxLength})
-        for (const double value : v)
-            hash.add(value);
-    hash.add(maxResidual);
-    for (const double value : coefficients.reshaped())
-        hash.add(value);
     return hash.hex();
 }
 
 TrainingSpec defaultTrainingSpec(const PlatformGeometry& geometry, int degree) {
     const double home = homeDeterminant(geometry);
     if (home == 0.0)
-        throw InputError(geometry.name, "is singular at home, so no regression can be fitted to it");
+        throw InputError("platform \"" + geometry.name + "\"", "its geometry is singular at home");
     TrainingSpec spec;
     spec.degree = degree;
-    spec.offsetRange = rounded(kOffsetOfSize * geometry.size());
-    spec.angleRange = radiansFromDeg(kLargestAngleDeg);
-    for (int k = 0; k < kMostHalvings && !isRegular(geometry, spec, std::copysign(1.0, home)); ++k) {
+    spec.offsetRange = rounded(geometry.size() * 2.0 / 15.0); // 40 mm of 300
+    spec.angleRange = radiansFromDeg(40.0);
+    for (int i = 0; i < kMostHalvings; ++i) {
+        if (isTrainable(geometry, spec, home))
+            return spec;
         spec.offsetRange /= 2.0;
         spec.angleRange /= 2.0;
     }
-    return spec;
+    throw InputError("platform \"" + geometry.name + "\"", "its geometry is too close to singular at home");
 }
 
 } // namespace hexapose

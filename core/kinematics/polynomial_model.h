@@ -33,6 +33,7 @@ struct PolynomialModel {
     LegLengths minLength = LegLengths::Zero();    ///< smallest and largest length met in training, m
     LegLengths maxLength = LegLengths::Zero();
     double maxResidual = 0.0; ///< largest leg residual of the regression over the training poses, m
+    PoseVector maxError = PoseVector::Zero(); ///< largest error of each coordinate there, m and rad
     Eigen::Matrix<double, 6, Eigen::Dynamic> coefficients; ///< rows x y z (m) alpha beta gamma (rad)
 
     /// The regression's pose. Allocates nothing.
@@ -40,6 +41,9 @@ struct PolynomialModel {
     /// Identity of the model for logs: FNV-1a over spec, platform and coefficients, 16 hex digits.
     std::string fingerprint() const;
 };
+
+/// FNV-1a over a specification, 16 hex digits.
+std::string specFingerprint(const TrainingSpec& spec);
 
 /// The range a model is trained on when nobody says otherwise: +-40 mm and +-40 deg for the laboratory
 /// platform, the displacement in proportion to the machine's size, and both halved until no sampled pose is

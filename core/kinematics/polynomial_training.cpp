@@ -1,246 +1,222 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: MIT
-
 #include "core/kinematics/polynomial_training.h"
 
 #include "core/geometry/input_error.h"
+#include "core/geometry/number_text.h"
 #include "core/kinematics/inverse_kinematics.h"
 #include "core/kinematics/newton_raphson.h"
+#include "core/kinematics/parallel_lanes.h"
 #include "core/kinematics/polynomial_basis.h"
-#include "core/kinematics/random_poses.h"
-#include "core/kinematics/solver_checks.h"
+#include "core/kinematics/pose_samples.h"
 
 #include <Eigen/Cholesky>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
-#include <chrono>
 #include <cmath>
-#include <condition_variable>
-#include <mutex>
-#include <numbers>
-#include <thread>
-#include <vector>
+#include <string>
 
 namespace hexapose {
 
 namespace {
 
-/// The work is cut into so many parts whatever the number of threads; each has its own random stream and its
-/// own sums, which are added in order. So the result depends on the specification alone.
-constexpr int kParts = 16;
-constexpr Eigen::Index kBlock = 256;       ///< poses a block: its monomials stay in the cache
-constexpr std::int64_t kPilotPoses = 2000; ///< for centre and scale of the lengths
-constexpr std::uint64_t kPilotStream = 1000;
-constexpr double kFitShare = 0.85; ///< of the progress; the rest is the pass that measures the residual
-constexpr std::chrono::milliseconds kReportEvery{30};
+/// Samples are drawn in blocks, blocks belong to lanes, and lanes are added up in their order: the sums do
+/// not depend on how many threads there are. Memory does not grow with the samples.
+constexpr int kBlock = 256;
+constexpr int kLanes = 16;
+/// Pivot of the scaled normal matrix below which a monomial is a combination of the others.
+constexpr double kSmallestPivot = 1e-14;
 
-using Monomials = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic>;
+using Samples = Eigen::Matrix<double, kBlock, Eigen::Dynamic>;
 
-struct PartSums {
-    Monomials normal; ///< lower triangle of sum m m^T
-    Eigen::Matrix<double, Eigen::Dynamic, 6> right;
-    LegLengths minLength = LegLengths::Constant(std::numeric_limits<double>::infinity());
-    LegLengths maxLength = LegLengths::Zero();
-    double maxResidual = 0.0;
-};
-
-std::int64_t partSamples(const TrainingSpec& spec, int part) {
-    return spec.samples / kParts + (part < spec.samples % kParts ? 1 : 0);
+[[noreturn]] void refuse(const std::string& cause) {
+    throw InputError("training", cause);
 }
 
-RandomPoses partPoses(const TrainingSpec& spec, int part) {
-    return {spec.offsetRange, spec.angleRange, spec.seed, static_cast<std::uint64_t>(part) + 1};
-}
-
-/// Runs `work(part, tick)` for every part on several threads; tick(samples) is called now and then and says
-/// whether to go on. The calling thread only reports. False: cancelled.
-class PartRunner {
-public:
-    using Tick = std::function<bool(std::int64_t)>;
-
-    PartRunner(unsigned threads, std::int64_t samples, TrainingProgress progress, double from, double to)
-        : m_threads(threads != 0 ? threads : std::max(1U, std::thread::hardware_concurrency())),
-          m_samples(samples), m_progress(std::move(progress)), m_from(from), m_to(to) {}
-
-    template <typename Work>
-    bool run(const Work& work) {
-        const Tick tick = [this](std::int64_t done) {
-            m_done += done;
-            return !m_cancelled;
-        };
-        std::vector<std::jthread> workers;
-        for (unsigned k = 0; k < std::min<unsigned>(m_threads, kParts); ++k)
-            workers.emplace_back([&] {
-                for (int part = m_nextPart++; part < kParts && !m_cancelled; part = m_nextPart++)
-                    work(part, tick);
-                const std::lock_guard lock(m_mutex);
-                ++m_finished;
-                m_changed.notify_one();
-            });
-        report(static_cast<unsigned>(workers.size()));
-        return !m_cancelled;
-    }
-
-private:
-    void report(unsigned workers) {
-        std::unique_lock lock(m_mutex);
-        while (!m_changed.wait_for(lock, kReportEvery, [&] { return m_finished == workers; })) {
-            lock.unlock();
-            tell(static_cast<double>(m_done) / static_cast<double>(m_samples));
-            lock.lock();
-        }
-        lock.unlock();
-        if (!m_cancelled)
-            tell(1.0);
-    }
-    void tell(double part) {
-        if (m_progress && !m_progress(m_from + (m_to - m_from) * part))
-            m_cancelled = true;
-    }
-
-    unsigned m_threads;
-    std::int64_t m_samples;
-    TrainingProgress m_progress;
-    double m_from;
-    double m_to;
-    std::atomic<int> m_nextPart{0};
-    std::atomic<std::int64_t> m_done{0};
-    std::atomic<bool> m_cancelled{false};
-    std::mutex m_mutex;
-    std::condition_variable m_changed;
-    unsigned m_finished = 0;
-};
-
-void check(const PlatformGeometry& geometry, const TrainingSpec& spec) {
-    const auto refuse = [&](const std::string& cause) { throw InputError("training", cause); };
-    if (spec.degree < 1 || spec.degree > kMaxDegree)
-        refuse("degree " + std::to_string(spec.degree) + " is not 1 to 4");
+void checkSpec(const TrainingSpec& spec) {
+    if (spec.degree < kMinDegree || spec.degree > kMaxDegree)
+        refuse("degree " + std::to_string(spec.degree) + " is not one of 1 to 4");
     if (!(spec.offsetRange > 0.0) || !std::isfinite(spec.offsetRange))
-        refuse("the displacement range is not a number above 0");
-    if (!(spec.angleRange > 0.0) || !(spec.angleRange <= std::numbers::pi))
-        refuse("the angle range is not above 0 and at most 180 deg");
-    if (spec.samples < static_cast<std::int64_t>(monomialCount(spec.degree)))
+        refuse("the displacement range " + formatNumber(spec.offsetRange) + " m is not positive and finite");
+    if (!(spec.angleRange > 0.0) || !std::isfinite(spec.angleRange))
+        refuse("the angle range " + formatNumber(spec.angleRange) + " rad is not positive and finite");
+    if (spec.samples < monomialCount(spec.degree))
         refuse(std::to_string(spec.samples) + " samples are fewer than the " +
                std::to_string(monomialCount(spec.degree)) + " monomials of degree " +
                std::to_string(spec.degree));
-    if (homeDeterminant(geometry) == 0.0)
-        refuse("the platform is singular at home");
 }
 
-void scaleLengths(const PlatformGeometry& geometry, PolynomialModel& model) {
-    RandomPoses poses(model.spec.offsetRange, model.spec.angleRange, model.spec.seed, kPilotStream);
-    LegLengths least = geometry.homeLengths();
-    LegLengths most = least;
-    for (std::int64_t k = 0; k < kPilotPoses; ++k) {
-        const LegLengths lengths = legLengths(geometry, poses());
-        least = least.cwiseMin(lengths);
-        most = most.cwiseMax(lengths);
+/// What one lane finds in each pass.
+struct Lane {
+    LegLengths minLength = LegLengths::Constant(HUGE_VAL), maxLength = LegLengths::Constant(-HUGE_VAL);
+    Eigen::MatrixXd normal, moments;
+    double maxResidual = 0.0;
+    PoseVector maxError = PoseVector::Zero();
+};
+
+class Training {
+public:
+    Training(const PlatformGeometry& geometry, const TrainingSpec& spec, const TrainingProgress& progress,
+             unsigned threads)
+        : m_geometry(geometry), m_spec(spec), m_progress(progress), m_threads(threads),
+          m_blocks((spec.samples + kBlock - 1) / kBlock) {
+        m_model.spec = spec;
+        m_model.platformFingerprint = geometry.fingerprint();
+        m_range << Eigen::Vector3d::Constant(spec.offsetRange), Eigen::Vector3d::Constant(spec.angleRange);
     }
-    model.lengthCentre = 0.5 * (least + most);
-    model.lengthScale = 0.5 * (most - least);
-}
 
-void sumPart(const PlatformGeometry& geometry, const PolynomialModel& model, int part, PartSums& sums,
-             const PartRunner::Tick& tick) {
-    const auto count = static_cast<Eigen::Index>(monomialCount(model.spec.degree));
-    sums.normal = Monomials::Zero(count, count);
-    sums.right = Eigen::Matrix<double, Eigen::Dynamic, 6>::Zero(count, 6);
-    Monomials monomials(count, kBlock);
-    Eigen::Matrix<double, 6, Eigen::Dynamic> poses(6, kBlock);
-    RandomPoses random = partPoses(model.spec, part);
-    for (std::int64_t left = partSamples(model.spec, part); left > 0;) {
-        const Eigen::Index size = std::min<std::int64_t>(left, kBlock);
-        for (Eigen::Index k = 0; k < size; ++k) {
-            const Pose pose = random();
-            const LegLengths lengths = legLengths(geometry, pose);
-            sums.minLength = sums.minLength.cwiseMin(lengths);
-            sums.maxLength = sums.maxLength.cwiseMax(lengths);
-            const LegVector u = (lengths - model.lengthCentre).cwiseQuotient(model.lengthScale);
-            fillMonomials(u, static_cast<std::size_t>(count), monomials.col(k).data());
-            poses.col(k) = pose.toVector();
+    std::optional<PolynomialModel> run() {
+        if (!pass(0.0, 0.1, &Training::rangeBlock))
+            return std::nullopt;
+        setScaling();
+        for (Lane& lane : m_lanes) {
+            lane.normal.setZero(monomials(), monomials());
+            lane.moments.setZero(monomials(), 6);
         }
-        sums.normal.selfadjointView<Eigen::Lower>().rankUpdate(monomials.leftCols(size));
-        sums.right.noalias() += monomials.leftCols(size) * poses.leftCols(size).transpose();
-        left -= size;
-        if (!tick(size))
-            return;
-    }
-}
-
-void measurePart(const PlatformGeometry& geometry, const PolynomialModel& model, int part, PartSums& sums,
-                 const PartRunner::Tick& tick) {
-    RandomPoses random = partPoses(model.spec, part);
-    for (std::int64_t left = partSamples(model.spec, part); left > 0;) {
-        const std::int64_t size = std::min<std::int64_t>(left, kBlock);
-        for (std::int64_t k = 0; k < size; ++k) {
-            const LegLengths lengths = legLengths(geometry, random());
-            const Pose found = Pose::fromVector(model.evaluate(lengths));
-            sums.maxResidual = std::max(sums.maxResidual, legResidual(geometry, lengths, found));
+        if (!pass(0.1, 0.8, &Training::normalBlock))
+            return std::nullopt;
+        fit();
+        if (!pass(0.8, 1.0, &Training::residualBlock))
+            return std::nullopt;
+        for (const Lane& lane : m_lanes) {
+            m_model.maxResidual = std::max(m_model.maxResidual, lane.maxResidual);
+            m_model.maxError = m_model.maxError.cwiseMax(lane.maxError);
         }
-        left -= size;
-        if (!tick(size))
-            return;
+        return std::move(m_model);
     }
-}
 
-void fit(const std::vector<PartSums>& parts, PolynomialModel& model) {
-    Monomials normal = parts.front().normal;
-    Eigen::Matrix<double, Eigen::Dynamic, 6> right = parts.front().right;
-    model.minLength = parts.front().minLength;
-    model.maxLength = parts.front().maxLength;
-    for (auto part = parts.begin() + 1; part != parts.end(); ++part) {
-        normal += part->normal;
-        right += part->right;
-        model.minLength = model.minLength.cwiseMin(part->minLength);
-        model.maxLength = model.maxLength.cwiseMax(part->maxLength);
+private:
+    using BlockWork = void (Training::*)(Lane&, PoseSamples&, int count) const;
+
+    int monomials() const { return monomialCount(m_spec.degree); }
+
+    /// One walk over all samples. False: cancelled.
+    bool pass(double from, double to, BlockWork work) {
+        std::atomic<std::int64_t> done = 0;
+        std::atomic<bool> cancelled = false;
+        const auto walk = [&](int lane) {
+            for (std::int64_t block = lane; block < m_blocks && !cancelled; block += kLanes) {
+                PoseSamples samples(m_spec, m_spec.seed, static_cast<std::uint64_t>(block));
+                const auto count = std::min<std::int64_t>(kBlock, m_spec.samples - block * kBlock);
+                (this->*work)(m_lanes[static_cast<std::size_t>(lane)], samples, static_cast<int>(count));
+                ++done;
+            }
+        };
+        runLanes(kLanes, m_threads, walk, [&] {
+            const double part = static_cast<double>(done) / static_cast<double>(m_blocks);
+            if (m_progress && !cancelled && !m_progress(from + (to - from) * part))
+                cancelled = true;
+        });
+        return !cancelled;
     }
-    const Eigen::LDLT<Monomials, Eigen::Lower> factors(normal);
-    model.coefficients = factors.solve(right).transpose();
-    if (factors.info() != Eigen::Success || !model.coefficients.allFinite())
-        throw InputError("training",
-                         "the poses do not determine the polynomial: more samples, or a wider range");
-}
+
+    void rangeBlock(Lane& lane, PoseSamples& samples, int count) const {
+        for (int i = 0; i < count; ++i) {
+            const LegLengths lengths = legLengths(m_geometry, samples.next());
+            lane.minLength = lane.minLength.cwiseMin(lengths);
+            lane.maxLength = lane.maxLength.cwiseMax(lengths);
+        }
+    }
+
+    void setScaling() {
+        m_model.minLength = m_lanes[0].minLength;
+        m_model.maxLength = m_lanes[0].maxLength;
+        for (const Lane& lane : m_lanes) {
+            m_model.minLength = m_model.minLength.cwiseMin(lane.minLength);
+            m_model.maxLength = m_model.maxLength.cwiseMax(lane.maxLength);
+        }
+        m_model.lengthCentre = 0.5 * (m_model.minLength + m_model.maxLength);
+        m_model.lengthScale = 0.5 * (m_model.maxLength - m_model.minLength);
+        for (int i = 0; i < kLegCount; ++i)
+            if (!(m_model.minLength[i] > 0.0) || !(m_model.lengthScale[i] > 0.0) ||
+                !std::isfinite(m_model.maxLength[i]))
+                refuse("leg " + std::to_string(i + 1) + " has no usable lengths in this range");
+    }
+
+    void normalBlock(Lane& lane, PoseSamples& samples, int count) const {
+        Eigen::Matrix<double, kBlock, kLegCount> u;
+        Eigen::Matrix<double, kBlock, 6> poses;
+        u.setZero();
+        poses.setZero();
+        for (int i = 0; i < count; ++i) {
+            const Pose pose = samples.next();
+            u.row(i) = (legLengths(m_geometry, pose) - m_model.lengthCentre)
+                           .cwiseQuotient(m_model.lengthScale)
+                           .transpose();
+            poses.row(i) = pose.toVector().cwiseQuotient(m_range).transpose();
+        }
+        Samples x(kBlock, monomials());
+        x.col(0).setZero();
+        x.col(0).head(count).setOnes();
+        forEachMonomialRun(m_spec.degree, [&](int variable, int parent, int child, int run) {
+            for (int i = 0; i < run; ++i)
+                x.col(child + i) = x.col(parent + i).cwiseProduct(u.col(variable));
+        });
+        lane.normal.selfadjointView<Eigen::Lower>().rankUpdate(x.transpose());
+        lane.moments.noalias() += x.transpose() * poses;
+    }
+
+    void fit() {
+        Eigen::MatrixXd normal = m_lanes[0].normal, moments = m_lanes[0].moments;
+        for (std::size_t i = 1; i < m_lanes.size(); ++i) {
+            normal += m_lanes[i].normal;
+            moments += m_lanes[i].moments;
+        }
+        const Eigen::VectorXd scale = normal.diagonal().cwiseSqrt().cwiseInverse();
+        normal = scale.asDiagonal() * normal * scale.asDiagonal();
+        const Eigen::LDLT<Eigen::MatrixXd, Eigen::Lower> factor(normal);
+        if (factor.info() != Eigen::Success || !(factor.vectorD().minCoeff() > kSmallestPivot))
+            refuse("the samples do not determine a polynomial of degree " + std::to_string(m_spec.degree) +
+                   "; take more samples, a wider range or a lower degree");
+        const Eigen::MatrixXd fitted = scale.asDiagonal() * factor.solve(scale.asDiagonal() * moments);
+        m_model.coefficients = m_range.asDiagonal() * fitted.transpose();
+    }
+
+    void residualBlock(Lane& lane, PoseSamples& samples, int count) const {
+        for (int i = 0; i < count; ++i) {
+            const Pose truth = samples.next();
+            const LegLengths lengths = legLengths(m_geometry, truth);
+            const PoseVector found = m_model.evaluate(lengths);
+            const double residual = (lengths - legLengths(m_geometry, Pose::fromVector(found))).norm();
+            lane.maxResidual = std::max(lane.maxResidual, residual);
+            lane.maxError = lane.maxError.cwiseMax((found - truth.toVector()).cwiseAbs());
+        }
+    }
+
+    const PlatformGeometry& m_geometry;
+    const TrainingSpec& m_spec;
+    const TrainingProgress& m_progress;
+    const unsigned m_threads;
+    const std::int64_t m_blocks;
+    PoseVector m_range; ///< what the coordinates are divided by in the fit
+    std::array<Lane, kLanes> m_lanes;
+    PolynomialModel m_model;
+};
 
 } // namespace
 
 std::optional<PolynomialModel> trainModel(const PlatformGeometry& geometry, const TrainingSpec& spec,
                                           const TrainingProgress& progress, unsigned threads) {
-    check(geometry, spec);
-    PolynomialModel model;
-    model.spec = spec;
-    model.platformFingerprint = geometry.fingerprint();
-    scaleLengths(geometry, model);
-
-    std::vector<PartSums> parts(kParts);
-    const auto partOf = [&](int part) -> PartSums& { return parts[static_cast<std::size_t>(part)]; };
-    PartRunner fitting(threads, spec.samples, progress, 0.0, kFitShare);
-    if (!fitting.run([&](int part, const PartRunner::Tick& tick) {
-            sumPart(geometry, model, part, partOf(part), tick);
-        }))
-        return std::nullopt;
-    fit(parts, model);
-
-    PartRunner measuring(threads, spec.samples, progress, kFitShare, 1.0);
-    if (!measuring.run([&](int part, const PartRunner::Tick& tick) {
-            measurePart(geometry, model, part, partOf(part), tick);
-        }))
-        return std::nullopt;
-    for (const PartSums& part : parts)
-        model.maxResidual = std::max(model.maxResidual, part.maxResidual);
-    return model;
+    checkSpec(spec);
+    if (homeDeterminant(geometry) == 0.0)
+        refuse("the geometry is singular at home");
+    return Training(geometry, spec, progress, threads).run();
 }
 
 ModelErrors testModel(const PlatformGeometry& geometry, const PolynomialModel& model, std::int64_t samples,
                       std::uint64_t seed) {
-    RandomPoses random(model.spec.offsetRange, model.spec.angleRange, seed);
+    // Training streams are numbered from 0; a fresh set under the same seed must not repeat them.
+    PoseSamples poses(model.spec, seed, ~std::uint64_t{0});
     ModelErrors errors;
-    for (std::int64_t k = 0; k < samples; ++k) {
-        const Pose pose = random();
-        const PoseVector error = (model.evaluate(legLengths(geometry, pose)) - pose.toVector()).cwiseAbs();
-        errors.meanAbsolute += error / static_cast<double>(samples);
+    for (std::int64_t i = 0; i < samples; ++i) {
+        const Pose truth = poses.next();
+        const PoseVector error = (model.evaluate(legLengths(geometry, truth)) - truth.toVector()).cwiseAbs();
+        errors.meanAbsolute += error;
         errors.largest = errors.largest.cwiseMax(error);
     }
+    errors.meanAbsolute /= static_cast<double>(std::max<std::int64_t>(samples, 1));
     return errors;
 }
 
