@@ -17,13 +17,13 @@ namespace {
 
 /// Blocked before any thread starts, so that every thread inherits it and the main one can wait for them.
 sigset_t blockEndSignals() {
-    sigset_t signals;
-    sigemptyset(&signals);
-    sigaddset(&signals, SIGINT);
-    sigaddset(&signals, SIGTERM);
-    sigaddset(&signals, SIGHUP);
-    pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-    return signals;
+    sigset_t endSignals;
+    sigemptyset(&endSignals);
+    sigaddset(&endSignals, SIGINT);
+    sigaddset(&endSignals, SIGTERM);
+    sigaddset(&endSignals, SIGHUP);
+    pthread_sigmask(SIG_BLOCK, &endSignals, nullptr);
+    return endSignals;
 }
 
 } // namespace
@@ -50,13 +50,13 @@ int simulateCommand(const QStringList& words) {
         options.faults = parseFaultSpec(arguments.requiredText("faults"));
     const PlatformGeometry platform = arguments.platform();
 
-    const sigset_t signals = blockEndSignals();
+    const sigset_t endSignals = blockEndSignals();
     try {
         const VirtualPlatformServer server(platform, options);
         std::printf("%s\n", server.path().c_str());
         std::fflush(stdout);
         int received = 0;
-        sigwait(&signals, &received);
+        sigwait(&endSignals, &received);
     } catch (const ChannelError& error) {
         throw InputError("simulate", error.what());
     }
