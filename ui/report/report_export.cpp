@@ -93,4 +93,9 @@ std::vector<std::filesystem::path> exportErrorReport(const ErrorReport& report,
     return written;
 }
 
+void exportErrorPictures(const ErrorReport& report, const std::filesystem::path& stem) {
+    writeWhole(stem.string() + ".png", pngBytes(report));
+    writeWhole(stem.string() + ".svg", svgBytes(report));
+}
+
 } // namespace hexapose
