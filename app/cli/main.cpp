@@ -53,6 +53,18 @@ const Command* findCommand(const char* name) {
     return nullptr;
 }
 
+/// Standard error is for the one line that a caller reads: Qt's own remarks are not for it.
+void dropRemarks(QtMsgType type, const QMessageLogContext&, const QString& text) {
+    if (type == QtCriticalMsg || type == QtFatalMsg)
+        std::fprintf(stderr, "hexapose-cli: %s\n", text.toLocal8Bit().constData());
+}
+
+/// Qt's remarks about its surroundings are no business of a script's; one line of ours says what failed.
+void keepQuiet(QtMsgType type, const QMessageLogContext& /*context*/, const QString& message) {
+    if (type == QtCriticalMsg || type == QtFatalMsg)
+        std::fprintf(stderr, "hexapose-cli: %s\n", qPrintable(message));
+}
+
 int runGuarded(const Command& command, const QStringList& arguments) {
     try {
         int status = command.run(arguments);
@@ -92,6 +104,8 @@ int main(int argc, char** argv) {
     QStringList arguments;
     for (int i = 2; i < argc; ++i)
         arguments.append(QString::fromLocal8Bit(argv[i]));
+    qInstallMessageHandler(dropRemarks);
+    qInstallMessageHandler(keepQuiet);
     int ownCount = 1; // our options are not Qt's
     std::unique_ptr<QCoreApplication> application;
     if (command->draws) {

@@ -63,6 +63,11 @@ std::string csvTable(const std::vector<Solved>& solved) {
     return csv;
 }
 
+void endLine(std::string& out) {
+    out.erase(out.find_last_not_of(' ') + 1);
+    out += "\n";
+}
+
 void appendCell(std::string& out, const std::string& text, std::size_t width) {
     out += text + std::string(text.size() < width ? width - text.size() : 1, ' ');
 }
@@ -76,19 +81,20 @@ std::string textTable(const std::vector<Solved>& solved) {
     appendCell(text, "published", kNarrow);
     for (const Solved& s : solved)
         appendCell(text, s.method, kWide);
-    text += "\n";
+    endLine(text);
     for (const published::Table5Row& row : published::kTable5) {
         appendCell(text, std::string(row.coordinate) + " (" + row.unit + ")", kNarrow);
         appendCell(text, scientific(row.reference), kNarrow);
         appendCell(text, scientific(row.solved), kNarrow);
         for (const Solved& s : solved)
             appendCell(text, scientific(s.result.pose.toVector()[row.index]), kWide);
-        text += "\n";
+        endLine(text);
     }
     appendCell(text, "iterations", 3 * kNarrow);
     for (const Solved& s : solved)
         appendCell(text, std::to_string(s.result.iterations), kWide);
-    return text + "\n\nThe published gamma, 0.0896, is a misprint of 0.0869: two digits are exchanged. Its "
+    endLine(text);
+    return text + "\nThe published gamma, 0.0896, is a misprint of 0.0869: two digits are exchanged. Its "
                   "reference, "
                   "5 deg, is 0.08727 rad,\nnot 0.0870.\n";
 }

@@ -68,7 +68,9 @@ int runCommand(const QStringList& words) {
                                {"report", "DIR", "Write the error report into this directory."},
                                {"clear", "", "Clear a stop or fault of the controller first."},
                                {"method", "M", "Forward method, as in 'forward'."},
-                               {"model", "FILE", "Regression model, as in 'forward'."}},
+                               {"model", "FILE", "Regression model, as in 'forward'."},
+                               {"tolerance-mm", "T", "Largest residual of a solution, as in 'forward'."},
+                               {"max-iterations", "N", "Most Newton iterations, as in 'forward'."}},
                               words);
     const std::string port = arguments.requiredText("port");
     const std::string targetsFile = arguments.requiredText("targets");

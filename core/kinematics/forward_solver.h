@@ -32,7 +32,8 @@ struct ForwardResult {
     int iterations = 0;
     double residual = 0.0;
 
-    /// Whether `pose` means anything; false for InvalidInput and NoSolution.
+    /// Whether `pose` means anything; false for InvalidInput and NoSolution, and for a
+    /// regression alone outside its model.
     bool hasPose() const;
     /// Whether the pose may be shown and used as the measured pose: Converged, or OutsideModel with the
     /// residual within the tolerance that the solver was given (see `accurate`).
