@@ -59,12 +59,6 @@ void dropRemarks(QtMsgType type, const QMessageLogContext&, const QString& text)
         std::fprintf(stderr, "hexapose-cli: %s\n", text.toLocal8Bit().constData());
 }
 
-/// Qt's remarks about its surroundings are no business of a script's; one line of ours says what failed.
-void keepQuiet(QtMsgType type, const QMessageLogContext& /*context*/, const QString& message) {
-    if (type == QtCriticalMsg || type == QtFatalMsg)
-        std::fprintf(stderr, "hexapose-cli: %s\n", qPrintable(message));
-}
-
 int runGuarded(const Command& command, const QStringList& arguments) {
     try {
         int status = command.run(arguments);
@@ -105,7 +99,6 @@ int main(int argc, char** argv) {
     for (int i = 2; i < argc; ++i)
         arguments.append(QString::fromLocal8Bit(argv[i]));
     qInstallMessageHandler(dropRemarks);
-    qInstallMessageHandler(keepQuiet);
     int ownCount = 1; // our options are not Qt's
     std::unique_ptr<QCoreApplication> application;
     if (command->draws) {

@@ -85,7 +85,7 @@ TEST(BadPlatform, IsNamedWithItsLine) {
         {leg(5, kMax1), "max_mm = 280", {"leg 5", "max_mm", "280"}},
         {leg(5, kMax1), "max_mm = \"350\"", {"leg 5", "max_mm"}},
         {leg(5, kMax1), "max_mm = 350\nmax_mm = 360", {"max_mm"}, leg(5, kMax1) + 1},
-        {leg(6, kLeg1), "[[legs]]", {"6 legs", "5"}, -1},
+        {leg(6, kLeg1), "[[legs]]", {"unknown", "legs"}, leg(6, kLeg1)},
         {leg(6, kMax1),
          "max_mm = 350\nspeed_mm_s = 3",
          {"leg 6", "unknown", "speed_mm_s"},

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
+#include <ostream>
 
 namespace hexapose::apptest {
 namespace {
@@ -152,6 +153,7 @@ struct Failure {
     const char* reason; ///< regular expression, on standard error
     const char* logged; ///< event in the log
     bool stopSent;      ///< STOP is due: the controller may still be moving
+    friend void PrintTo(const Failure& row, std::ostream* out) { *out << row.name; }
 };
 
 Traits asTheyAre(Traits traits) {
