@@ -14,7 +14,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr milliseconds kPauseWithoutPort{10};
+constexpr milliseconds kPauseOnceLost{10};
 constexpr double kLongestLength = 1000.0; ///< m; keeps a SET within a frame
 constexpr std::size_t kMaxUnsent = 160;   ///< bytes; two set-points waiting is one too many
 
@@ -143,7 +143,7 @@ DeviceFeedback LineDevice::exchange(const SetPoints& setPoints) {
     device.feedback.lengths.reset();
     device.feedback.notices.clear();
     if (!device.channel) {
-        std::this_thread::sleep_for(kPauseWithoutPort); // nothing can happen here any more
+        std::this_thread::sleep_for(kPauseOnceLost); // nothing can happen here any more
         return device.feedback;
     }
     try {
