@@ -15,10 +15,13 @@
 #include "core/report/error_report.h"
 #include "ui/report/report_export.h"
 
+#include <cerrno>
 #include <cstdio>
 #include <filesystem>
 #include <string>
 #include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
 
 namespace hexapose {
 
@@ -46,6 +49,16 @@ void checkPort(const std::string& port) {
         throw InputError(port, "no such port");
     if (!S_ISCHR(status.st_mode))
         throw InputError(port, "is not a serial port");
+}
+
+/// Now rather than after the run, when there is nothing left but to say that the report is lost.
+void checkReport(const std::string& directory) {
+    std::error_code error;
+    std::filesystem::create_directories(directory, error);
+    if (error)
+        throw InputError(directory, "cannot be made: " + error.message());
+    if (access(directory.c_str(), W_OK | X_OK) != 0)
+        throw InputError(directory, "cannot be written: " + std::generic_category().message(errno));
 }
 
 std::unique_ptr<PlatformDevice> openDevice(const std::string& port, const PlatformGeometry& platform,
@@ -83,6 +96,8 @@ int runCommand(const QStringList& words) {
     const std::vector<Pose> targets = readPoseList(targetsFile);
     checkTargets(platform, targets, targetsFile);
     const ChosenSolver chosen = chooseSolver(arguments, platform);
+    if (arguments.has("report"))
+        checkReport(arguments.requiredText("report"));
     const std::unique_ptr<PlatformDevice> device = openDevice(port, platform, baud);
 
     LogMetadata metadata;
