@@ -30,21 +30,30 @@ double niceStep(double atLeast) {
     return 10.0 * power;
 }
 
+/// The multiples of the step within the range.
+std::vector<double> multiples(double step, double low, double high) {
+    const double slack = step * 1e-6;
+    std::vector<double> values;
+    for (double i = std::ceil((low - slack) / step); i * step <= high + slack; i += 1.0)
+        values.push_back(i * step);
+    return values;
+}
+
 } // namespace
 
 Ticks niceTicks(double low, double high, int most, bool integers) {
     double step = niceStep((high - low) / std::max(1, most));
     if (integers)
         step = std::max(step, 1.0);
-    const double slack = step * 1e-6;
     Ticks ticks;
-    for (double i = std::ceil((low - slack) / step); i * step <= high + slack; i += 1.0)
-        ticks.values.push_back(i * step);
-    if (ticks.values.empty())
-        ticks.values.push_back(low);
+    ticks.values = multiples(step, low, high);
+    while (ticks.values.empty()) {   // a coarse step may miss a short range
+        step = niceStep(step / 2.6); // the next smaller of 1, 2, 5
+        ticks.values = multiples(step, low, high);
+    }
 
-    const double largest = std::max(std::abs(ticks.values.front()), std::abs(ticks.values.back()));
-    const int exponent = largest > 0.0 ? exponentOf(largest * (1.0 + 1e-9)) : 0;
+    const double largest = std::max({std::abs(ticks.values.front()), std::abs(ticks.values.back()), step});
+    const int exponent = exponentOf(largest * (1.0 + 1e-9));
     if (!integers && (exponent < kPlainExponentMin || exponent > kPlainExponentMax))
         ticks.exponent = exponent;
     const double power = std::pow(10.0, ticks.exponent);

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/report/nice_ticks.h"
+#include "ui/report/report_numbers.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace hexapose {
+namespace {
+
+TEST(NiceTicks, AreRoundFewAndTruthful) {
+    std::mt19937_64 random(3);
+    std::uniform_real_distribution<double> uniform(0.0, 1.0);
+    for (int i = 0; i < 2000; ++i) {
+        const double span = std::pow(10.0, 40.0 * uniform(random) - 20.0);
+        const double low = (uniform(random) - 0.7) * span;
+        const int most = 2 + i % 12;
+        const Ticks ticks = niceTicks(low, low + span, most);
+        ASSERT_EQ(ticks.labels.size(), ticks.values.size());
+        EXPECT_LE(ticks.values.size(), static_cast<std::size_t>(most) + 1);
+        EXPECT_GE(ticks.values.size(), static_cast<std::size_t>(most) / 3);
+        for (std::size_t k = 0; k < ticks.values.size(); ++k) {
+            EXPECT_GE(ticks.values[k], low - 1e-6 * span);
+            EXPECT_LE(ticks.values[k], low + (1 + 1e-6) * span);
+            bool read = false;
+            const double shown = ticks.labels[k].toDouble(&read) * std::pow(10.0, ticks.exponent);
+            EXPECT_TRUE(read);
+            EXPECT_NEAR(shown, ticks.values[k], 1e-9 * span)
+                << "the label tells the value, no digit is cut off";
+            EXPECT_LE(ticks.labels[k].size(), 8);
+        }
+    }
+}
+
+TEST(NiceTicks, HaveTheirPowerOfTenTakenOut) {
+    const Ticks small = niceTicks(-2.2e-4, 2.2e-4, 5);
+    EXPECT_EQ(small.exponent, -4);
+    EXPECT_EQ(small.labels, (std::vector<QString>{"-2", "-1", "0", "1", "2"}));
+    const Ticks plain = niceTicks(-0.6, 0.6, 5);
+    EXPECT_EQ(plain.exponent, 0);
+    EXPECT_EQ(plain.labels, (std::vector<QString>{"-0.5", "0.0", "0.5"}));
+    EXPECT_EQ(niceTicks(0.5, 3.5, 20, true).labels, (std::vector<QString>{"1", "2", "3"}));
+    EXPECT_EQ(niceTicks(0.5, 20000.5, 3, true).labels.back(), "20000");
+    EXPECT_EQ(timesPowerOfTen(-12), QStringLiteral("×10⁻¹²"));
+    EXPECT_EQ(timesPowerOfTen(0), QString());
+}
+
+ErrorReport reportWithBound(double metres, double radians) {
+    ErrorReport report;
+    report.rows.resize(1);
+    report.rows[0].predictedBound.head<3>().setConstant(metres);
+    report.rows[0].predictedBound.tail<3>().setConstant(radians);
+    return report;
+}
+
+TEST(ReportNumbers, ShowWhatTheResolutionLetsBeSeen) {
+    EXPECT_EQ(errorText(-1.686e-4), "-1.69e-4");
+    EXPECT_EQ(errorText(0.0), "0");
+    EXPECT_EQ(errorText(12345.0), "1.23e4");
+    EXPECT_EQ(errorText(std::nan("")), QStringLiteral("–"));
+    EXPECT_EQ(errorText(std::numeric_limits<double>::infinity()), QStringLiteral("∞"));
+
+    const PoseDecimals laboratory(reportWithBound(2e-4, 1e-3));
+    EXPECT_EQ(laboratory.si(0, 0.01199), "0.011990");
+    EXPECT_EQ(laboratory.common(0, 0.01199), "11.990");
+    EXPECT_EQ(laboratory.si(5, 0.08689), "0.08689");
+    EXPECT_EQ(laboratory.common(5, 0.08689), "4.9784");
+    EXPECT_EQ(laboratory.commonError(2, -2.2e-4), "-0.2200");
+    EXPECT_EQ(laboratory.commonError(2, 1e-9), "1.00e-6")
+        << "an error too small to be seen is not shown as none";
+    EXPECT_EQ(laboratory.common(1, std::nan("")), QStringLiteral("–"));
+
+    const PoseDecimals tiny(reportWithBound(2e-9, 1e-6));
+    const PoseDecimals singular(reportWithBound(std::numeric_limits<double>::infinity(), 0.0));
+    for (const double value : {1.0, -123.456789, 1.23456789e-5, -9.87654321e9, 0.0})
+        for (const PoseDecimals* decimals : {&laboratory, &tiny, &singular})
+            for (int k = 0; k < 6; ++k)
+                for (const QString& text :
+                     {decimals->si(k, value), decimals->common(k, value), decimals->commonError(k, value)})
+                    EXPECT_LE(text.size(), 11) << text.toStdString() << " does not fit into its column";
+}
+
+} // namespace
+} // namespace hexapose
