@@ -38,7 +38,7 @@ std::optional<SolveStatus> solveStatusFromWord(std::string_view word) {
 bool ForwardResult::hasPose() const {
     if (status == SolveStatus::OutsideModel)
         return accurate; // a polynomial means nothing outside what it was fitted to
-    return status != SolveStatus::InvalidInput && status != SolveStatus::NoSolution;
+    return status != SolveStatus::InvalidInput && status != SolveStatus::NoSolution && pose.isFinite();
 }
 
 } // namespace hexapose

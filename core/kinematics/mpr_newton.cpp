@@ -15,7 +15,6 @@ constexpr double kLengthSlack = 0.02;   // of the range of each length met in tr
 constexpr double kPoseSlack = 0.05;     // of the range of each coordinate, beside the model's own error
 constexpr double kResidualFactor = 2.0; // of the largest residual in training
 
-constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 struct Regression {
     Pose pose;
@@ -53,8 +52,8 @@ ForwardResult PolynomialRegression::solve(const LegLengths& lengths, const Pose&
     if (!areLengths(lengths))
         return withoutPose(SolveStatus::InvalidInput, 0, kNoNumber);
     const Regression found = regress(m_geometry, m_model, lengths);
-    if (!found.pose.isFinite())
-        return withoutPose(SolveStatus::NoSolution, 0, kNoNumber);
+    if (!found.pose.isFinite()) // lengths so far out that the polynomial overflows
+        return withoutPose(SolveStatus::OutsideModel, 0, kNoNumber);
     return {normalised(found.pose), found.inside ? SolveStatus::Converged : SolveStatus::OutsideModel, 0,
             found.residual, found.inside};
 }

@@ -35,7 +35,6 @@ NewtonAsPublished::NewtonAsPublished(const PlatformGeometry& geometry, const New
       m_maxIterations(options.maxIterations), m_homeDeterminant(homeDeterminant(geometry)) {}
 
 ForwardResult NewtonAsPublished::solve(const LegLengths& lengths, const Pose& start) const noexcept {
-    constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
     if (!areLengths(lengths) || !start.isFinite())
         return withoutPose(SolveStatus::InvalidInput, 0, kNoNumber);
     const LegEquations equations(m_geometry);

@@ -13,7 +13,6 @@ namespace hexapose {
 
 namespace {
 
-constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 /// 1e-10 m over the 0.2999165 m of the laboratory platform.
 constexpr double kRelativeTolerance = 1e-10 / 0.2999165;
 

@@ -10,6 +10,9 @@
 
 namespace hexapose {
 
+/// Residual of a solution that has none.
+inline constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+
 /// Lengths that can be the lengths of legs: finite and positive.
 inline bool areLengths(const LegLengths& lengths) noexcept {
     return lengths.allFinite() && (lengths.array() > 0.0).all();
