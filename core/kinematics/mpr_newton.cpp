@@ -15,7 +15,6 @@ constexpr double kLengthSlack = 0.02;   // of the range of each length met in tr
 constexpr double kPoseSlack = 0.05;     // of the range of each coordinate, beside the model's own error
 constexpr double kResidualFactor = 2.0; // of the largest residual in training
 
-
 struct Regression {
     Pose pose;
     double residual;

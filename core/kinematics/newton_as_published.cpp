@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/kinematics/jacobian.h"
 #include "core/kinematics/newton_raphson.h"
-#include "core/kinematics/singularity.h"
 #include "core/kinematics/solver_checks.h"
 
 #include <Eigen/Geometry>
@@ -37,8 +36,8 @@ NewtonAsPublished::NewtonAsPublished(const PlatformGeometry& geometry, const New
 ForwardResult NewtonAsPublished::solve(const LegLengths& lengths, const Pose& start) const noexcept {
     if (!areLengths(lengths) || !start.isFinite())
         return withoutPose(SolveStatus::InvalidInput, 0, kNoNumber);
-    const LegEquations equations(m_geometry);
-    if (equations.breaksTriangle(equations.scaled(lengths), m_tolerance / equations.size()))
+    const LegEquations::Legs target = m_equations.scaled(lengths);
+    if (m_equations.breaksTriangle(target, m_tolerance / m_equations.size()))
         return withoutPose(SolveStatus::NoSolution, 0, kNoNumber);
 
     ForwardResult result{start, SolveStatus::IterationLimit, 0, kNoNumber, false};
@@ -64,10 +63,11 @@ ForwardResult NewtonAsPublished::solve(const LegLengths& lengths, const Pose& st
     result.residual = legResidual(m_geometry, lengths, result.pose);
     result.accurate = result.residual <= m_tolerance;
     if (result.status == SolveStatus::Converged) {
-        const SingularityMeasure measure = singularityMeasure(m_geometry, result.pose);
-        if (measure.smallestSingularValue < kSingularValueFloor)
+        const double sign = m_equations.branchSign(
+            m_equations.evaluate(m_equations.placementOf(result.pose), target), kSingularValueFloor);
+        if (sign == 0.0)
             result.status = SolveStatus::Singular;
-        else if (measure.determinant * m_homeDeterminant < 0.0)
+        else if (sign * m_homeDeterminant < 0.0)
             result.status = SolveStatus::OtherBranch;
     }
     return result;

@@ -6,9 +6,6 @@
 #include "core/kinematics/singularity.h"
 #include "core/kinematics/solver_checks.h"
 
-#include <Eigen/LU>
-#include <Eigen/SVD>
-
 namespace hexapose {
 
 namespace {
@@ -23,14 +20,7 @@ double branchSign(const LegEquations& equations, const NewtonRun& run) noexcept 
     if (2.0 * equations.jacobianChange(run.evaluation, run.lastStepNorm) < margin &&
         margin > 2.0 * kSingularValueFloor)
         return std::copysign(1.0, run.determinant);
-    const LegEquations::Matrix J = equations.jacobian(run.evaluation);
-    const double determinant = J.allFinite() ? J.determinant() : 0.0;
-    if (singularValueBound(determinant) > kSingularValueFloor)
-        return std::copysign(1.0, determinant);
-    if (determinant == 0.0 ||
-        Eigen::JacobiSVD<LegEquations::Matrix>(J).singularValues()[5] < kSingularValueFloor)
-        return 0.0;
-    return std::copysign(1.0, determinant);
+    return equations.branchSign(run.evaluation, kSingularValueFloor);
 }
 
 SolveStatus statusOf(NewtonEnd end) noexcept {

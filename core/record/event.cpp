@@ -18,7 +18,7 @@ struct EventWord {
     bool carriesValue = false;
 };
 
-constexpr std::array<EventWord, 28> kWords{{
+constexpr std::array<EventWord, 28> kEventWords{{
     {EventCode::Connected, "connected"},
     {EventCode::ListenOnly, "listen-only"},
     {EventCode::LinkLost, "link-lost"},
@@ -50,10 +50,10 @@ constexpr std::array<EventWord, 28> kWords{{
 }};
 // One word for every code, in the order of the codes: a code without its word does not compile.
 static_assert([] {
-    for (std::size_t i = 0; i < kWords.size(); ++i)
-        if (static_cast<std::size_t>(kWords[i].code) != i)
+    for (std::size_t i = 0; i < kEventWords.size(); ++i)
+        if (static_cast<std::size_t>(kEventWords[i].code) != i)
             return false;
-    return static_cast<std::size_t>(EventCode::PreparationFailed) + 1 == kWords.size();
+    return static_cast<std::size_t>(EventCode::PreparationFailed) + 1 == kEventWords.size();
 }());
 
 constexpr std::string_view kSeparator = "; ";
@@ -71,7 +71,7 @@ std::optional<Event> parseEvent(std::string_view text) {
     if (!code)
         return std::nullopt;
     Event event{*code, 0.0, {}};
-    if (kWords[static_cast<std::size_t>(*code)].carriesValue) {
+    if (kEventWords[static_cast<std::size_t>(*code)].carriesValue) {
         std::string_view rest = text;
         if (const std::optional<double> value = parseNumber(takeToken(rest))) {
             event.value = *value;
@@ -86,19 +86,19 @@ std::optional<Event> parseEvent(std::string_view text) {
 
 std::string_view toWord(EventCode code) {
     const auto index = static_cast<std::size_t>(code);
-    return index < kWords.size() ? kWords[index].word : "unknown";
+    return index < kEventWords.size() ? kEventWords[index].word : "unknown";
 }
 
 std::optional<EventCode> eventCodeFromWord(std::string_view word) {
     const auto* found =
-        std::find_if(kWords.begin(), kWords.end(), [&](const EventWord& w) { return w.word == word; });
-    return found == kWords.end() ? std::nullopt : std::optional(found->code);
+        std::find_if(kEventWords.begin(), kEventWords.end(), [&](const EventWord& w) { return w.word == word; });
+    return found == kEventWords.end() ? std::nullopt : std::optional(found->code);
 }
 
 std::string formatEvent(const Event& event) {
     std::string text(toWord(event.code));
     const auto index = static_cast<std::size_t>(event.code);
-    if (index < kWords.size() && kWords[index].carriesValue)
+    if (index < kEventWords.size() && kEventWords[index].carriesValue)
         text += ' ' + formatNumber(event.value);
     if (!event.detail.empty()) {
         text += ' ' + event.detail;

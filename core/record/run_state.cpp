@@ -10,7 +10,7 @@ namespace hexapose {
 
 namespace {
 
-constexpr std::array<std::pair<RunState, std::string_view>, 8> kWords{{
+constexpr std::array<std::pair<RunState, std::string_view>, 8> kStateWords{{
     {RunState::Disconnected, "disconnected"},
     {RunState::Unreferenced, "unreferenced"},
     {RunState::Disabled, "disabled"},
@@ -24,14 +24,14 @@ constexpr std::array<std::pair<RunState, std::string_view>, 8> kWords{{
 } // namespace
 
 std::string_view toWord(RunState state) {
-    for (const auto& [value, word] : kWords)
+    for (const auto& [value, word] : kStateWords)
         if (value == state)
             return word;
     return "unknown";
 }
 
 std::optional<RunState> runStateFromWord(std::string_view text) {
-    for (const auto& [value, word] : kWords)
+    for (const auto& [value, word] : kStateWords)
         if (word == text)
             return value;
     return std::nullopt;

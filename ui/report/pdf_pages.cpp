@@ -30,7 +30,7 @@ constexpr double kTablePoints = 8.0;
 constexpr double kLineHeight = 4.8;
 constexpr double kRowHeight = 4.3;
 
-const QColor kInk(0x22, 0x22, 0x22);
+const QColor kTextInk(0x22, 0x22, 0x22);
 const QColor kQuiet(0x66, 0x66, 0x66);
 const QColor kRule(0xB8, 0xB8, 0xB8);
 
@@ -96,14 +96,14 @@ void PdfPages::paintFooter() {
 
 void PdfPages::heading(const QString& text, double pointSize) {
     m_painter.setFont(font(pointSize, true));
-    m_painter.setPen(kInk);
+    m_painter.setPen(kTextInk);
     m_painter.drawText(take(pointSize / kPointsInInch * kMmInInch * 1.6), Qt::AlignLeft | Qt::AlignVCenter,
                        text);
 }
 
 void PdfPages::line(const QString& label, double labelWidth, const QString& text) {
     const QRectF area = take(kLineHeight);
-    m_painter.setPen(kInk);
+    m_painter.setPen(kTextInk);
     m_painter.setFont(font(kTextPoints, true));
     m_painter.drawText(area, Qt::AlignLeft | Qt::AlignVCenter, label);
     m_painter.setFont(font(kTextPoints));
@@ -156,7 +156,7 @@ void PdfPages::tableRow(const Table& table, const QStringList& cells, bool bold)
     constexpr int kLeft = int{Qt::AlignLeft} | int{Qt::AlignVCenter};
     constexpr int kRight = int{Qt::AlignRight} | int{Qt::AlignVCenter};
     const QRectF row = take(kRowHeight);
-    m_painter.setPen(kInk);
+    m_painter.setPen(kTextInk);
     double x = 0.0;
     for (int i = 0; i < cells.size() && i < static_cast<int>(table.widths.size()); ++i) {
         const double columnWidth = px(table.widths[static_cast<std::size_t>(i)]);
@@ -177,7 +177,7 @@ void PdfPages::groupRow(const Table& table) {
         for (int k = 0; k < table.headerSpan[static_cast<std::size_t>(i)]; ++k)
             span += px(table.widths[column++]);
         m_painter.setFont(font(kTablePoints, true));
-        m_painter.setPen(kInk);
+        m_painter.setPen(kTextInk);
         const double inset = px(4.0);
         m_painter.drawText(QRectF(x + inset, row.top(), span - inset, row.height()), Qt::AlignCenter,
                            table.groups[i]);
