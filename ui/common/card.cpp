@@ -16,7 +16,14 @@ Card::Card(QWidget* parent) : QFrame(parent), m_title(new QLabel(this)), m_body(
     m_body->addWidget(m_title);
 }
 
-void Card::setTitle(const QString& title) { m_title->setText(title); }
+void Card::setTitle(const QString& title) {
+    setCaption(*m_title, title);
+}
+
+void setCaption(QLabel& label, const QString& text) {
+    label.setText(text);
+    label.setAccessibleName(text + QLatin1Char(':'));
+}
 
 QLabel* makeLamp(QWidget* parent) {
     auto* lamp = new QLabel(parent);

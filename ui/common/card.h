@@ -24,6 +24,10 @@ private:
     QVBoxLayout* m_body;
 };
 
+/// The visible name beside a control or read-out. To a screen reader it is "State:", so that "State" is the read-out
+/// alone.
+void setCaption(QLabel& label, const QString& text);
+
 /// A small round light; its tone is its colour.
 QLabel* makeLamp(QWidget* parent);
 /// A label in the quiet colour.

@@ -67,7 +67,9 @@ void StatusPanel::setPlatform(const QString& name) {
     m_platform.value->setToolTip(name);
 }
 
-void StatusPanel::setSolver(std::string_view word) { m_solver.value->showText(solverTitle(word)); }
+void StatusPanel::setSolver(std::string_view word) {
+    m_solver.value->showText(solverTitle(word));
+}
 
 void StatusPanel::showSnapshot(const Snapshot& snapshot) {
     m_snapshot = snapshot;
@@ -93,7 +95,7 @@ void StatusPanel::showSnapshot(const Snapshot& snapshot) {
 
 void StatusPanel::retranslate() {
     const auto name = [](const Item& item, const QString& text) {
-        item.label->setText(text);
+        setCaption(*item.label, text);
         item.value->setAccessibleName(text);
     };
     name(m_state, tr("State"));
