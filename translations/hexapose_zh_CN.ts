@@ -47,6 +47,10 @@
         <source>Message</source>
         <translation>消息</translation>
     </message>
+    <message>
+        <source>Waiting for the first measurement</source>
+        <translation>正在等待首个测量值</translation>
+    </message>
 </context>
 <context>
     <name>hexapose::ChartPage</name>
@@ -227,10 +231,6 @@
         <translation>显示的是旧值。请检查控制器和线路。</translation>
     </message>
     <message>
-        <source>Measurements are back</source>
-        <translation>测量值已恢复</translation>
-    </message>
-    <message>
         <source>The controller&apos;s clock went back</source>
         <translation>控制器时钟回退</translation>
     </message>
@@ -373,6 +373,10 @@
     <message>
         <source>Sample %1 of the report taken</source>
         <translation>已取得报告样本 %1</translation>
+    </message>
+    <message>
+        <source>Measurements arrive</source>
+        <translation>收到测量值</translation>
     </message>
 </context>
 <context>

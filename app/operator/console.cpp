@@ -31,7 +31,8 @@ QStringList serialPortPaths() {
 } // namespace
 
 Console::Console(QApplication& application, const OperatorOptions& options, const PlatformGeometry& geometry)
-    : m_application(application), m_options(options), m_geometry(geometry), m_model(geometry, cacheDirectory()) {
+    : m_application(application), m_options(options), m_geometry(geometry),
+      m_model(geometry, cacheDirectory()) {
     QSettings settings;
     chooseLook(settings);
     m_window = std::make_unique<OperatorWindow>(geometry, serialPortPaths);
@@ -52,9 +53,11 @@ Console::Console(QApplication& application, const OperatorOptions& options, cons
         applyTheme(m_application, kind);
         m_window->setColors(themeColors(kind));
         const std::string_view word = toWord(kind);
-        QSettings().setValue(kThemeKey, QString::fromLatin1(word.data(), static_cast<qsizetype>(word.size())));
+        QSettings().setValue(kThemeKey,
+                             QString::fromLatin1(word.data(), static_cast<qsizetype>(word.size())));
     });
-    connect(&m_model, &ModelJob::progressed, this, [this](double part) { m_window->banner().showTraining(part); });
+    connect(&m_model, &ModelJob::progressed, this,
+            [this](double part) { m_window->banner().showTraining(part); });
     connect(&m_model, &ModelJob::ready, this, &Console::openSession);
     connect(&m_model, &ModelJob::cancelled, this, [this] { useNewton({}); });
     connect(&m_model, &ModelJob::failed, this, &Console::useNewton);

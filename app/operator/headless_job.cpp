@@ -23,8 +23,8 @@ namespace hexapose {
 namespace {
 
 constexpr int kLookEveryMs = 50;
-constexpr qint64 kStepTimeoutMs = 60000; // no step of the job takes nearly so long on a machine that works
-constexpr int kReportAttitudes = 3;      // enough to show the report without a long wait
+constexpr qint64 kStepTimeoutMs = 150000; // a machine may take two minutes to find its reference
+constexpr int kReportAttitudes = 3;       // enough to show the report without a long wait
 constexpr double kOffsetRange = 0.010;
 constexpr double kAngleRange = radiansFromDeg(10.0);
 constexpr std::uint64_t kSeed = 1;
@@ -46,6 +46,7 @@ HeadlessJob::HeadlessJob(OperatorWindow& window, const std::filesystem::path& ou
     : QObject(parent), m_window(window), m_output(output) {
     m_timer.setInterval(kLookEveryMs);
     connect(&m_timer, &QTimer::timeout, this, &HeadlessJob::advance);
+    connect(&m_window, &OperatorWindow::eventHappened, this, &HeadlessJob::watch);
     connect(&m_window.reportPanel(), &ReportPanel::exported, this, [this](const QStringList& files) {
         m_files = files;
         savePicture();
@@ -55,7 +56,7 @@ HeadlessJob::HeadlessJob(OperatorWindow& window, const std::filesystem::path& ou
             return;
         }
         if (!complete) {
-            fail(QStringLiteral("the report ended early: ") + m_window.events().textAt(0));
+            fail(QStringLiteral("the report: ") + m_window.reportPanel().progressText());
             return;
         }
         m_step = Step::Exporting;
@@ -73,7 +74,8 @@ void HeadlessJob::advance() {
     const Snapshot& now = m_window.latest();
     if (m_sinceStep.elapsed() > kStepTimeoutMs) {
         fail(QStringLiteral("timed out; last event: ") + m_window.events().textAt(0));
-    } else if (m_step == Step::Connecting && now.state != RunState::Disconnected && now.measuredPose && !now.stale) {
+    } else if (m_step == Step::Connecting && now.state != RunState::Disconnected && now.measuredPose &&
+               !now.stale) {
         typeTarget();
         m_step = Step::Starting;
         m_sinceStep.start();
@@ -86,6 +88,16 @@ void HeadlessJob::advance() {
     } else if ((m_step == Step::Starting || m_step == Step::Moving) &&
                (now.state == RunState::Stopped || now.state == RunState::Fault)) {
         fail(QStringLiteral("the move ended early: ") + m_window.events().textAt(0));
+    }
+}
+
+/// An event after which the first move will not come about.
+void HeadlessJob::watch(const Event& event) {
+    const bool over = event.code == EventCode::MoveRefused || event.code == EventCode::CommandRefused ||
+                      event.code == EventCode::PreparationFailed || event.code == EventCode::NotSettled ||
+                      event.code == EventCode::LoopFailed;
+    if (over && (m_step == Step::Starting || m_step == Step::Moving)) {
+        fail(eventText(event).cause);
     }
 }
 
@@ -103,7 +115,8 @@ void HeadlessJob::startReport() {
     if (!m_output.empty()) {
         m_window.reportPanel().setFolder(QString::fromStdString(m_output.string()));
     }
-    m_window.reportPanel().runList(randomAttitudes(geometry, kReportAttitudes, kOffsetRange, kAngleRange, kSeed));
+    m_window.reportPanel().runList(
+        randomAttitudes(geometry, kReportAttitudes, kOffsetRange, kAngleRange, kSeed));
 }
 
 void HeadlessJob::press(const char* button) {

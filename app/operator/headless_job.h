@@ -13,8 +13,8 @@
 
 namespace hexapose {
 
-/// The operator's main job without an operator: types a target into the window's own fields, presses Run, waits until
-/// it has settled, runs a short report, exports it and keeps a picture of the window.
+/// The operator's main job without an operator: types a target into the window's own fields, presses Run,
+/// waits until it has settled, runs a short report, exports it and keeps a picture of the window.
 class HeadlessJob final : public QObject {
     Q_OBJECT
 public:
@@ -32,6 +32,7 @@ private:
     void typeTarget();
     void startReport();
     void savePicture();
+    void watch(const Event& event);
     void fail(const QString& reason);
     void end(int exitStatus);
     void press(const char* button);

@@ -42,9 +42,9 @@ void tellMessage(QtMsgType type, const QMessageLogContext& /*context*/, const QS
         std::fflush(nullptr);
         _exit(kBadInput);
     }
-    // What Qt says about its search for a display is covered by the line above.
-    if (QCoreApplication::instance() != nullptr) {
-        std::fprintf(stderr, "%s\n", qPrintable(message));
+    // The search for a display and the offscreen platform talk a lot; what they say helps no operator.
+    if (type == QtCriticalMsg) {
+        std::fprintf(stderr, "hexapose: %s\n", qPrintable(message));
     }
 }
 
@@ -55,7 +55,9 @@ int runConsole(const OperatorOptions& options, const PlatformGeometry& geometry)
     int count = 1;
     qInstallMessageHandler(tellMessage);
     QApplication application(count, arguments);
-    qInstallMessageHandler(nullptr);
+    if (!options.headless) {
+        qInstallMessageHandler(nullptr);
+    }
     // Numbers are written with '.' in every language and on every desktop.
     std::setlocale(LC_NUMERIC, "C");
     QLocale::setDefault(QLocale::c());
@@ -68,7 +70,8 @@ int runConsole(const OperatorOptions& options, const PlatformGeometry& geometry)
     HeadlessJob job(console.window(), options.output);
     console.start();
     if (options.headless) {
-        QObject::connect(&job, &HeadlessJob::finished, &application, &QCoreApplication::exit, Qt::QueuedConnection);
+        QObject::connect(&job, &HeadlessJob::finished, &application, &QCoreApplication::exit,
+                         Qt::QueuedConnection);
         job.start();
     }
     return QApplication::exec();

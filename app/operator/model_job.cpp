@@ -55,7 +55,8 @@ void ModelJob::work() {
 }
 
 ReadySolver ModelJob::withoutModel() const {
-    return {makeForwardSolver(*findForwardMethod(kMethodWithoutModel), m_geometry, nullptr, NewtonOptions{}), {}};
+    return {makeForwardSolver(*findForwardMethod(kMethodWithoutModel), m_geometry, nullptr, NewtonOptions{}),
+            {}};
 }
 
 } // namespace hexapose

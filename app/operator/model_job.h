@@ -22,7 +22,8 @@ struct ReadySolver {
     std::string modelFingerprint; ///< empty: no model
 };
 
-/// Reads or trains the model of a platform on a thread of its own; the signals come on the thread of this object.
+/// Reads or trains the model of a platform on a thread of its own; the signals come on the thread of this
+/// object.
 class ModelJob final : public QObject {
     Q_OBJECT
 public:

@@ -55,7 +55,8 @@ public:
         }
         m_name = m_words[m_at++];
         m_value.reset();
-        if (const std::size_t equals = m_name.find('='); m_name.starts_with("--") && equals != std::string::npos) {
+        if (const std::size_t equals = m_name.find('=');
+            m_name.starts_with("--") && equals != std::string::npos) {
             m_value = m_name.substr(equals + 1);
             m_name.resize(equals);
         }

@@ -29,7 +29,8 @@ struct OperatorOptions {
 OperatorOptions parseOperatorOptions(const std::vector<std::string>& arguments);
 std::string operatorHelp();
 
-/// Makes the directory when it is missing. Throws InputError "option dir: reason" unless files can be made in it.
+/// Makes the directory when it is missing. Throws InputError "option dir: reason" unless files can be made in
+/// it.
 void requireWritable(const std::filesystem::path& directory, const std::string& option);
 
 } // namespace hexapose

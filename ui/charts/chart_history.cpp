@@ -20,7 +20,8 @@ void ChartHistory::push(double time, const double* values) {
     const std::size_t at = slot(m_size);
     m_times[at] = time;
     for (std::size_t c = 0; c < m_channels; ++c) {
-        m_values[at * m_channels + c] = values == nullptr ? std::numeric_limits<double>::quiet_NaN() : values[c];
+        m_values[at * m_channels + c] =
+            values == nullptr ? std::numeric_limits<double>::quiet_NaN() : values[c];
     }
     ++m_size;
 }
@@ -43,7 +44,9 @@ void ChartHistory::clear() {
     m_size = 0;
 }
 
-double ChartHistory::lastTime() const { return m_size == 0 ? 0.0 : timeOf(m_size - 1); }
+double ChartHistory::lastTime() const {
+    return m_size == 0 ? 0.0 : timeOf(m_size - 1);
+}
 
 std::size_t ChartHistory::firstFrom(double time) const {
     std::size_t low = 0;
@@ -133,7 +136,8 @@ CurvePieces ChartHistory::curve(std::size_t channel, double from, double to, std
     return pieces;
 }
 
-std::optional<std::pair<double, double>> ChartHistory::range(std::size_t channel, double from, double to) const {
+std::optional<std::pair<double, double>> ChartHistory::range(std::size_t channel, double from,
+                                                             double to) const {
     std::optional<std::pair<double, double>> found;
     for (std::size_t i = firstFrom(from); i < m_size && timeOf(i) <= to; ++i) {
         const double value = valueOf(i, channel);

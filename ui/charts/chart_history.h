@@ -14,8 +14,8 @@ namespace hexapose {
 /// Curves as they are drawn: each inner list is unbroken.
 using CurvePieces = std::vector<std::vector<QPointF>>;
 
-/// The last samples of several channels over time, in a ring. NaN is a gap in one channel. A value: copying it
-/// freezes it.
+/// The last samples of several channels over time, in a ring. NaN is a gap in one channel. A value: copying
+/// it freezes it.
 class ChartHistory {
 public:
     explicit ChartHistory(std::size_t channels, std::size_t capacity = 24000);
@@ -29,8 +29,8 @@ public:
     std::size_t size() const { return m_size; }
     double lastTime() const; ///< 0 when empty
 
-    /// One channel in a window of time, thinned to at most about `most` points, keeping the smallest and largest of
-    /// each group so that no peak is lost.
+    /// One channel in a window of time, thinned to at most about `most` points, keeping the smallest and
+    /// largest of each group so that no peak is lost.
     CurvePieces curve(std::size_t channel, double from, double to, std::size_t most = 400) const;
     std::optional<std::pair<double, double>> range(std::size_t channel, double from, double to) const;
     /// The newest value at or before a time; NaN for none.
@@ -39,7 +39,9 @@ public:
 private:
     std::size_t slot(std::size_t index) const { return (m_begin + index) % m_capacity; }
     double timeOf(std::size_t index) const { return m_times[slot(index)]; }
-    double valueOf(std::size_t index, std::size_t channel) const { return m_values[slot(index) * m_channels + channel]; }
+    double valueOf(std::size_t index, std::size_t channel) const {
+        return m_values[slot(index) * m_channels + channel];
+    }
     std::size_t firstFrom(double time) const; ///< index of the first sample not before it
     void push(double time, const double* values);
 

@@ -35,7 +35,9 @@ constexpr std::size_t kLegTarget = 18;
 constexpr std::size_t kError = 24;
 constexpr std::size_t kChannels = 30;
 
-double seconds(std::chrono::nanoseconds time) { return std::chrono::duration<double>(time).count(); }
+double seconds(std::chrono::nanoseconds time) {
+    return std::chrono::duration<double>(time).count();
+}
 
 void putPose(std::vector<double>& values, std::size_t channel, const std::optional<Pose>& pose) {
     if (!pose) {
@@ -209,12 +211,22 @@ ChartSubject ChartPage::describe(std::size_t index) const {
     switch (m_subject) {
     case Subject::Legs: {
         const Leg& leg = m_geometry.legs[index];
-        return {tr("Leg %1").arg(index + 1), QStringLiteral("mm"), kLeg + index, kLegTarget + index,
-                mmFromMetres(leg.minLength), mmFromMetres(leg.maxLength), 3};
+        return {tr("Leg %1").arg(index + 1),
+                QStringLiteral("mm"),
+                kLeg + index,
+                kLegTarget + index,
+                mmFromMetres(leg.minLength),
+                mmFromMetres(leg.maxLength),
+                3};
     }
     case Subject::Errors:
-        return {tr("Error of %1").arg(coordinate.symbol), coordinate.unit, kError + index, std::nullopt,
-                -kErrorRange, kErrorRange, 4};
+        return {tr("Error of %1").arg(coordinate.symbol),
+                coordinate.unit,
+                kError + index,
+                std::nullopt,
+                -kErrorRange,
+                kErrorRange,
+                4};
     case Subject::Attitude:
         break;
     }

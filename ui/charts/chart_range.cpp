@@ -40,6 +40,8 @@ AxisRange chartRange(double low, double high, const std::optional<std::pair<doub
     return {from, to, tick};
 }
 
-int tickDecimals(double tick) { return std::clamp(static_cast<int>(std::ceil(-std::log10(tick) - kRounding)), 0, 6); }
+int tickDecimals(double tick) {
+    return std::clamp(static_cast<int>(std::ceil(-std::log10(tick) - kRounding)), 0, 6);
+}
 
 } // namespace hexapose

@@ -10,7 +10,9 @@
 
 namespace hexapose {
 
-CurveItem::CurveItem(QGraphicsItem* parent) : QGraphicsItem(parent) { setZValue(10.0); }
+CurveItem::CurveItem(QGraphicsItem* parent) : QGraphicsItem(parent) {
+    setZValue(10.0);
+}
 
 void CurveItem::setArea(const QRectF& area) {
     if (area != m_area) {

@@ -75,7 +75,9 @@ void TimeChart::setSubject(const ChartSubject& subject) {
     setAccessibleName(subject.title);
 }
 
-void TimeChart::setTimeTitle(const QString& title) { m_time->setTitleText(title); }
+void TimeChart::setTimeTitle(const QString& title) {
+    m_time->setTitleText(title);
+}
 
 void TimeChart::setColors(const ThemeColors& colors) {
     m_measuredColor = colors.accent;
@@ -96,7 +98,8 @@ void TimeChart::showWindow(const ChartHistory& history, double from, double to) 
     auto reach = history.range(m_subject.measured, from, to);
     if (m_subject.target) {
         if (const auto target = history.range(*m_subject.target, from, to)) {
-            reach = reach ? std::pair(std::min(reach->first, target->first), std::max(reach->second, target->second))
+            reach = reach ? std::pair(std::min(reach->first, target->first),
+                                      std::max(reach->second, target->second))
                           : *target;
         }
     }
@@ -113,7 +116,8 @@ void TimeChart::showWindow(const ChartHistory& history, double from, double to) 
     m_time->setRange(from, to);
     std::vector<CurveItem::Curve> curves;
     if (m_subject.target) {
-        curves.push_back({history.curve(*m_subject.target, from, to), QPen(m_targetColor, 1.4, Qt::DashLine)});
+        curves.push_back(
+            {history.curve(*m_subject.target, from, to), QPen(m_targetColor, 1.4, Qt::DashLine)});
     }
     curves.push_back({history.curve(m_subject.measured, from, to), QPen(m_measuredColor, 1.6)});
     m_curves->setWindow(from, to, m_range);
@@ -128,7 +132,8 @@ void TimeChart::showCursor(const ChartHistory& history, std::optional<double> ti
     QString text = cursorNumber(*time, 2) + QStringLiteral(" s   ") +
                    cursorNumber(history.valueAt(m_subject.measured, *time), m_subject.decimals);
     if (m_subject.target) {
-        text += QStringLiteral(" / ") + cursorNumber(history.valueAt(*m_subject.target, *time), m_subject.decimals);
+        text += QStringLiteral(" / ") +
+                cursorNumber(history.valueAt(*m_subject.target, *time), m_subject.decimals);
     }
     m_curves->setCursor(CurveItem::Cursor{*time, text + QLatin1Char(' ') + m_subject.unit});
 }

@@ -35,7 +35,9 @@ QString desktopLanguage(const QLocale& desktop) {
     return code.isEmpty() ? QStringLiteral("en") : code;
 }
 
-LanguageSwitch::~LanguageSwitch() { choose(QStringLiteral("en")); }
+LanguageSwitch::~LanguageSwitch() {
+    choose(QStringLiteral("en"));
+}
 
 bool LanguageSwitch::choose(const QString& code) {
     if (code == m_code) {
@@ -50,7 +52,8 @@ bool LanguageSwitch::choose(const QString& code) {
     if (!m_own.load(QStringLiteral(":/translations/hexapose_") + code)) {
         return false;
     }
-    if (m_toolkit.load(QStringLiteral("qtbase_") + code, QLibraryInfo::path(QLibraryInfo::TranslationsPath))) {
+    if (m_toolkit.load(QStringLiteral("qtbase_") + code,
+                       QLibraryInfo::path(QLibraryInfo::TranslationsPath))) {
         QCoreApplication::installTranslator(&m_toolkit);
     }
     QCoreApplication::installTranslator(&m_own);

@@ -23,8 +23,8 @@ QString languageFromText(const QString& text);
 /// What the desktop asks for: Simplified Chinese for any Chinese, else English.
 QString desktopLanguage(const QLocale& desktop = QLocale::system());
 
-/// Installs the translators of one language at a time. Widgets hear of a change by QEvent::LanguageChange. Numbers
-/// are not touched: they are written with '.' in every language.
+/// Installs the translators of one language at a time. Widgets hear of a change by QEvent::LanguageChange.
+/// Numbers are not touched: they are written with '.' in every language.
 class LanguageSwitch final : public QObject {
     Q_OBJECT
 public:

@@ -14,7 +14,8 @@ namespace hexapose {
 namespace {
 constexpr int kDecimals = 6;
 constexpr int kLeastDecimals = 2;
-constexpr double kLargest = 1e6; // mm or degrees: far beyond any machine, so the limits judge and not the field
+constexpr double kLargest =
+    1e6; // mm or degrees: far beyond any machine, so the limits judge and not the field
 } // namespace
 
 PoseField::PoseField(QWidget* parent) : QDoubleSpinBox(parent) {
@@ -35,7 +36,9 @@ PoseField::PoseField(QWidget* parent) : QDoubleSpinBox(parent) {
     });
 }
 
-bool PoseField::isComplete() const { return parseNumber(text().toStdString()).has_value(); }
+bool PoseField::isComplete() const {
+    return parseNumber(text().toStdString()).has_value();
+}
 
 QString PoseField::textFromValue(double value) const {
     std::string text = formatFixed(value, kDecimals);

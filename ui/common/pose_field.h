@@ -6,8 +6,8 @@
 
 namespace hexapose {
 
-/// A coordinate to be typed, in mm or degrees. '.' is the decimal sign in every language; nothing is clamped and
-/// nothing is rounded silently: what cannot be a number is shown as wrong and isComplete() says no.
+/// A coordinate to be typed, in mm or degrees. '.' is the decimal sign in every language; nothing is clamped
+/// and nothing is rounded silently: what cannot be a number is shown as wrong and isComplete() says no.
 class PoseField final : public QDoubleSpinBox {
     Q_OBJECT
 public:

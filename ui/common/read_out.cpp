@@ -51,7 +51,9 @@ void ReadOut::setStale(bool stale) {
     describe();
 }
 
-void ReadOut::describe() { setAccessibleDescription(m_stale ? tr("Old value") : QString()); }
+void ReadOut::describe() {
+    setAccessibleDescription(m_stale ? tr("Old value") : QString());
+}
 
 void ReadOut::changeEvent(QEvent* event) {
     if (event->type() == QEvent::LanguageChange) {
@@ -60,7 +62,9 @@ void ReadOut::changeEvent(QEvent* event) {
     QLineEdit::changeEvent(event);
 }
 
-QString ReadOut::dash() { return QStringLiteral("--"); }
+QString ReadOut::dash() {
+    return QStringLiteral("--");
+}
 
 TextReadOut::TextReadOut(int lines, QWidget* parent) : QTextEdit(parent), m_lines(lines) {
     setReadOnly(true);
@@ -81,7 +85,9 @@ void TextReadOut::showText(const QString& text) {
     }
 }
 
-void TextReadOut::fitHeight() { setFixedHeight(fontMetrics().lineSpacing() * m_lines + 2); }
+void TextReadOut::fitHeight() {
+    setFixedHeight(fontMetrics().lineSpacing() * m_lines + 2);
+}
 
 void TextReadOut::changeEvent(QEvent* event) {
     if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange) {

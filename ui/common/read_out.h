@@ -9,8 +9,8 @@
 
 namespace hexapose {
 
-/// A value to be read, not written. Its accessible name says what it is; the text that a screen reader gets is the
-/// value itself. (A label would give its name alone, hence the line edit.)
+/// A value to be read, not written. Its accessible name says what it is; the text that a screen reader gets
+/// is the value itself. (A label would give its name alone, hence the line edit.)
 class ReadOut final : public QLineEdit {
     Q_OBJECT
 public:
@@ -24,6 +24,8 @@ public:
     void setStale(bool stale);
     bool isStale() const { return m_stale; }
     static QString dash();
+    /// As wide as its digits: what is left over goes to those who can use it.
+    QSize sizeHint() const override { return {minimumWidth(), QLineEdit::sizeHint().height()}; }
 
 protected:
     void changeEvent(QEvent* event) override;

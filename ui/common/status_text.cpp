@@ -108,7 +108,8 @@ double siCoordinate(int coordinate, double shown) {
 
 double shownError(int coordinate, double measured, double target) {
     const double error = measured - target;
-    return shownCoordinate(coordinate, coordinate < 3 ? error : std::remainder(error, 2.0 * std::numbers::pi));
+    return shownCoordinate(coordinate,
+                           coordinate < 3 ? error : std::remainder(error, 2.0 * std::numbers::pi));
 }
 
 } // namespace hexapose

@@ -19,8 +19,8 @@ QString solveStatusText(SolveStatus status);
 /// "MPR3-NR" of "mpr3-nr"; the word itself when it is not known.
 QString solverTitle(std::string_view word);
 
-/// The six pose coordinates in their usual order: how the screen writes them, how they are called where a screen
-/// reader speaks them ("alpha"), and their unit.
+/// The six pose coordinates in their usual order: how the screen writes them, how they are called where a
+/// screen reader speaks them ("alpha"), and their unit.
 struct CoordinateText {
     QString symbol;
     QString word;

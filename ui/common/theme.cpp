@@ -22,10 +22,10 @@ QString styleSheet(const ThemeColors& colors) {
     }
     QString sheet = QString::fromUtf8(file.readAll());
     const std::pair<const char*, QColor> names[] = {
-        {"@window", colors.window},   {"@surface", colors.surface}, {"@field", colors.field},
-        {"@border", colors.border},   {"@text", colors.text},       {"@muted", colors.muted},
-        {"@accent", colors.accent},   {"@onAccent", colors.onAccent}, {"@good", colors.good},
-        {"@warn", colors.warn},       {"@bad", colors.bad},         {"@idle", colors.idle},
+        {"@window", colors.window}, {"@surface", colors.surface},   {"@field", colors.field},
+        {"@border", colors.border}, {"@text", colors.text},         {"@muted", colors.muted},
+        {"@accent", colors.accent}, {"@onAccent", colors.onAccent}, {"@good", colors.good},
+        {"@warn", colors.warn},     {"@bad", colors.bad},           {"@idle", colors.idle},
     };
     for (const auto& [name, color] : names) {
         sheet.replace(QLatin1String(name) + QLatin1Char(';'), color.name() + QLatin1Char(';'));
@@ -63,7 +63,9 @@ std::optional<ThemeKind> themeFromWord(std::string_view word) {
     return word == "dark" ? std::optional(ThemeKind::Dark) : std::nullopt;
 }
 
-std::string_view toWord(ThemeKind kind) { return kind == ThemeKind::Dark ? "dark" : "light"; }
+std::string_view toWord(ThemeKind kind) {
+    return kind == ThemeKind::Dark ? "dark" : "light";
+}
 
 ThemeColors themeColors(ThemeKind kind) {
     if (kind == ThemeKind::Dark) {

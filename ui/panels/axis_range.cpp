@@ -10,11 +10,11 @@ namespace hexapose {
 
 namespace {
 
-constexpr int kStepsOut = 64;  ///< the first limit on the way is the one that counts
+constexpr int kStepsOut = 64; ///< the first limit on the way is the one that counts
 constexpr int kHalvings = 12;
 
-double limitOnTheWay(const PlatformGeometry& geometry, const MotionLimits& limits, const Pose& pose, int coordinate,
-                     double reach) {
+double limitOnTheWay(const PlatformGeometry& geometry, const MotionLimits& limits, const Pose& pose,
+                     int coordinate, double reach) {
     const PoseVector start = pose.toVector();
     const auto allowed = [&](double offset) {
         PoseVector at = start;
@@ -42,8 +42,8 @@ double limitOnTheWay(const PlatformGeometry& geometry, const MotionLimits& limit
 
 } // namespace
 
-std::optional<std::pair<double, double>> axisRange(const PlatformGeometry& geometry, const MotionLimits& limits,
-                                                   const Pose& pose, int coordinate) {
+std::optional<std::pair<double, double>>
+axisRange(const PlatformGeometry& geometry, const MotionLimits& limits, const Pose& pose, int coordinate) {
     if (!checkPose(geometry, limits, pose).ok()) {
         return std::nullopt;
     }

@@ -9,9 +9,9 @@
 
 namespace hexapose {
 
-/// How far one coordinate (0..5) can go from a pose with the others held, as coordinates (m or rad); nothing when the
-/// pose itself is out of the limits.
-std::optional<std::pair<double, double>> axisRange(const PlatformGeometry& geometry, const MotionLimits& limits,
-                                                   const Pose& pose, int coordinate);
+/// How far one coordinate (0..5) can go from a pose with the others held, as coordinates (m or rad); nothing
+/// when the pose itself is out of the limits.
+std::optional<std::pair<double, double>>
+axisRange(const PlatformGeometry& geometry, const MotionLimits& limits, const Pose& pose, int coordinate);
 
 } // namespace hexapose

@@ -84,12 +84,16 @@ void Banner::refresh() {
     } else if (m_open && m_snapshot.link == LinkState::Connecting) {
         text = tr("Waiting for the controller to answer");
         tone = Tone::Warn;
+    } else if (m_open && !m_snapshot.measuredLengths) {
+        text = tr("Waiting for the first measurement");
+        tone = Tone::Warn;
     } else if (m_open && m_snapshot.stale) {
         text = tr("No valid measurement for %1 s: the values shown are old").arg(age);
     } else if (!m_logFailure.isEmpty()) {
         text = tr("The log cannot be written: %1").arg(m_logFailure);
     } else if (m_open && m_snapshot.link == LinkState::ListenOnly) {
-        text = tr("An unprotected sender of lengths: errors on the line stay unseen, and it takes no commands");
+        text =
+            tr("An unprotected sender of lengths: errors on the line stay unseen, and it takes no commands");
         tone = Tone::Warn;
     }
     m_progress->setVisible(m_training);

@@ -15,8 +15,8 @@ namespace hexapose {
 
 class ReadOut;
 
-/// One line across the window for what must not be missed: a lost link, old data, an unprotected sender, a log that
-/// cannot be written, or the training of the model. Never a box in the way.
+/// One line across the window for what must not be missed: a lost link, old data, an unprotected sender, a
+/// log that cannot be written, or the training of the model. Never a box in the way.
 class Banner final : public QFrame {
     Q_OBJECT
 public:

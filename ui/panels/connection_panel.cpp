@@ -24,7 +24,8 @@ constexpr int kUsualBaud = 115200;
 /// Looks for ports each time it is opened, because adapters come and go.
 class PortBox final : public QComboBox {
 public:
-    PortBox(std::function<void()> refresh, QWidget* parent) : QComboBox(parent), m_refresh(std::move(refresh)) {}
+    PortBox(std::function<void()> refresh, QWidget* parent)
+        : QComboBox(parent), m_refresh(std::move(refresh)) {}
     void showPopup() override {
         m_refresh();
         QComboBox::showPopup();
@@ -36,7 +37,8 @@ private:
 
 } // namespace
 
-ConnectionPanel::ConnectionPanel(PortList ports, QWidget* parent) : QWidget(parent), m_ports(std::move(ports)) {
+ConnectionPanel::ConnectionPanel(PortList ports, QWidget* parent)
+    : QWidget(parent), m_ports(std::move(ports)) {
     build();
     retranslate();
     updateButtons();
@@ -67,7 +69,8 @@ void ConnectionPanel::build() {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(6);
-    for (QWidget* widget : std::initializer_list<QWidget*>{m_portLabel, m_port, m_baudLabel, m_baud, m_connect}) {
+    for (QWidget* widget :
+         std::initializer_list<QWidget*>{m_portLabel, m_port, m_baudLabel, m_baud, m_connect}) {
         row->addWidget(widget);
     }
     row->addSpacing(14);
@@ -86,7 +89,8 @@ void ConnectionPanel::build() {
     });
     connect(m_reference, &QPushButton::clicked, this, [this] { emit commandRequested(ReferenceCommand{}); });
     connect(m_enable, &QPushButton::clicked, this, [this] {
-        const bool on = m_state == RunState::Enabled || m_state == RunState::Settling || m_state == RunState::Moving;
+        const bool on =
+            m_state == RunState::Enabled || m_state == RunState::Settling || m_state == RunState::Moving;
         emit commandRequested(on ? OperatorCommand(DisableCommand{}) : OperatorCommand(EnableCommand{}));
     });
     connect(m_clear, &QPushButton::clicked, this, [this] { emit commandRequested(ClearCommand{}); });
@@ -103,7 +107,9 @@ void ConnectionPanel::refreshPorts() {
     m_port->setEditText(typed);
 }
 
-bool ConnectionPanel::isVirtual() const { return m_port->currentText().trimmed() == m_port->itemText(0); }
+bool ConnectionPanel::isVirtual() const {
+    return m_port->currentText().trimmed() == m_port->itemText(0);
+}
 
 void ConnectionPanel::setChoice(const ConnectionChoice& choice) {
     m_port->setEditText(choice.virtualPlatform ? m_port->itemText(0) : choice.port);
@@ -170,11 +176,13 @@ void ConnectionPanel::retranslate() {
         button->setAccessibleName(text);
         button->setToolTip(tip);
     };
-    const bool on = m_state == RunState::Enabled || m_state == RunState::Settling || m_state == RunState::Moving;
+    const bool on =
+        m_state == RunState::Enabled || m_state == RunState::Settling || m_state == RunState::Moving;
     name(m_connect, m_open ? tr("Disconnect") : tr("Connect"),
          m_open ? tr("Stop, disable and close the port") : tr("Open the port; nothing moves"));
     name(m_reference, tr("Reference"), tr("Find the reference of the legs"));
-    name(m_enable, on ? tr("Disable") : tr("Enable"), on ? tr("Take the drives off") : tr("Put the drives on"));
+    name(m_enable, on ? tr("Disable") : tr("Enable"),
+         on ? tr("Take the drives off") : tr("Put the drives on"));
     name(m_clear, tr("Clear"), tr("Leave a stop or a fault; nothing moves"));
 }
 

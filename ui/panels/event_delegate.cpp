@@ -22,8 +22,9 @@ QFont smallFont(const QFont& font) {
 }
 
 int heightOf(const QFont& font, const QString& text, int width) {
-    return text.isEmpty() ? 0
-                          : QFontMetrics(font).boundingRect(QRect(0, 0, width, 10000), Qt::TextWordWrap, text).height();
+    return text.isEmpty()
+               ? 0
+               : QFontMetrics(font).boundingRect(QRect(0, 0, width, 10000), Qt::TextWordWrap, text).height();
 }
 
 /// The dark or light theme is known by its ground; the delegate draws where no style sheet reaches.
@@ -45,14 +46,16 @@ QColor toneColor(const QPalette& palette, Tone tone) {
 
 } // namespace
 
-void EventDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
+void EventDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
+                          const QModelIndex& index) const {
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
     const QFont small = smallFont(option.font);
     const int timeHeight = QFontMetrics(small).height();
     painter->setPen(Qt::NoPen);
     painter->setBrush(toneColor(option.palette, static_cast<Tone>(index.data(ToneRole).toInt())));
-    painter->drawEllipse(QRectF(option.rect.left() + 2.0, option.rect.top() + (timeHeight - kDot) / 2.0, kDot, kDot));
+    painter->drawEllipse(
+        QRectF(option.rect.left() + 2.0, option.rect.top() + (timeHeight - kDot) / 2.0, kDot, kDot));
 
     QRect box = option.rect.adjusted(kIndent, 0, -2, 0);
     const QColor quiet = option.palette.color(QPalette::PlaceholderText);

@@ -12,7 +12,8 @@ class EventDelegate final : public QStyledItemDelegate {
 public:
     enum Role { TimeRole = Qt::UserRole, CauseRole, AdviceRole, ToneRole };
     using QStyledItemDelegate::QStyledItemDelegate;
-    void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
+    void paint(QPainter* painter, const QStyleOptionViewItem& option,
+               const QModelIndex& index) const override;
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 };
 

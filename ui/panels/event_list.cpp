@@ -36,10 +36,13 @@ EventList::EventList(QWidget* parent) : Card(parent), m_list(new QListWidget(thi
 }
 
 void EventList::add(const Event& event, Time time) {
-    put({[event] { return eventText(event); }, time, 1, std::string(toWord(event.code)) + '\n' + event.detail});
+    put({[event] { return eventText(event); }, time, 1,
+         std::string(toWord(event.code)) + '\n' + event.detail});
 }
 
-void EventList::addNote(const Text& text, Time time) { put({text, time, 1, {}}); }
+void EventList::addNote(const Text& text, Time time) {
+    put({text, time, 1, {}});
+}
 
 void EventList::put(Entry entry) {
     if (!m_entries.empty() && !entry.key.empty() && m_entries.front().key == entry.key) {
@@ -73,7 +76,9 @@ void EventList::write(QListWidgetItem& item, const Entry& entry) {
     item.setToolTip(whole);
 }
 
-int EventList::count() const { return m_list->count(); }
+int EventList::count() const {
+    return m_list->count();
+}
 
 QString EventList::textAt(int row) const {
     const QListWidgetItem* item = m_list->item(row);

@@ -15,8 +15,8 @@ class QListWidgetItem;
 
 namespace hexapose {
 
-/// What happened, newest first, each with its time, its cause and what to do about it. The same thing many times in
-/// a row takes one place and is counted.
+/// What happened, newest first, each with its time, its cause and what to do about it. The same thing many
+/// times in a row takes one place and is counted.
 class EventList final : public Card {
     Q_OBJECT
 public:

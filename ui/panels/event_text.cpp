@@ -18,8 +18,12 @@ struct EventWords {
     Q_DECLARE_TR_FUNCTIONS(hexapose::EventText)
 };
 
-QString fixed(double value, int decimals) { return QString::fromStdString(formatFixed(value, decimals)); }
-QString detailOf(const Event& event) { return QString::fromStdString(event.detail); }
+QString fixed(double value, int decimals) {
+    return QString::fromStdString(formatFixed(value, decimals));
+}
+QString detailOf(const Event& event) {
+    return QString::fromStdString(event.detail);
+}
 
 /// "cause: detail", or the cause alone.
 QString withDetail(const QString& cause, const QString& detail) {
@@ -66,7 +70,8 @@ EventText linkText(const Event& event) {
         return {withDetail(EventWords::tr("Connected"), detailOf(event)), {}, Tone::Good};
     case EventCode::ListenOnly:
         return {EventWords::tr("An unprotected sender of lengths"),
-                EventWords::tr("Its values are shown, but it takes no commands and errors on the line stay unseen."),
+                EventWords::tr(
+                    "Its values are shown, but it takes no commands and errors on the line stay unseen."),
                 Tone::Warn};
     case EventCode::LinkLost:
         return {withDetail(EventWords::tr("The link is lost"), detailOf(event)),
@@ -75,13 +80,15 @@ EventText linkText(const Event& event) {
         return {EventWords::tr("No valid measurement for %1 ms").arg(fixed(event.value, 0)),
                 EventWords::tr("The values shown are old. Check the controller and the line."), Tone::Bad};
     case EventCode::DataFresh:
-        return {EventWords::tr("Measurements are back"), {}, Tone::Good};
+        return {EventWords::tr("Measurements arrive"), {}, Tone::Good};
     case EventCode::ClockWentBack:
         return {EventWords::tr("The controller's clock went back"),
-                EventWords::tr("It was probably restarted. Reference it again if it asks for it."), Tone::Warn};
+                EventWords::tr("It was probably restarted. Reference it again if it asks for it."),
+                Tone::Warn};
     case EventCode::NoAnswer:
         return {withDetail(EventWords::tr("The controller did not answer"), detailOf(event)),
-                EventWords::tr("Try again; if it stays silent, check the controller and the line."), Tone::Warn};
+                EventWords::tr("Try again; if it stays silent, check the controller and the line."),
+                Tone::Warn};
     default:
         return {};
     }
@@ -93,16 +100,16 @@ EventText stopText(const Event& event) {
     case EventCode::StopRequested:
         return {EventWords::tr("Stop"), EventWords::tr("Press Clear before the next Run."), Tone::Warn};
     case EventCode::StoppedByController:
-        return {withDetail(EventWords::tr("The controller stopped the move"), controllerStateDetail(event)), clear,
-                Tone::Bad};
+        return {withDetail(EventWords::tr("The controller stopped the move"), controllerStateDetail(event)),
+                clear, Tone::Bad};
     case EventCode::StoppedOnStaleData:
         return {EventWords::tr("Stopped: the measurements stayed away"), clear, Tone::Bad};
     case EventCode::StoppedOnSolver:
-        return {withDetail(EventWords::tr("Stopped: the lengths gave no usable pose"), solverDetail(event)), clear,
-                Tone::Bad};
+        return {withDetail(EventWords::tr("Stopped: the lengths gave no usable pose"), solverDetail(event)),
+                clear, Tone::Bad};
     case EventCode::StoppedOnRefusal:
-        return {withDetail(EventWords::tr("Stopped: the controller refused a set-point"), detailOf(event)), clear,
-                Tone::Bad};
+        return {withDetail(EventWords::tr("Stopped: the controller refused a set-point"), detailOf(event)),
+                clear, Tone::Bad};
     case EventCode::LoopFailed:
         return {withDetail(EventWords::tr("The control loop ended"), detailOf(event)),
                 EventWords::tr("Disconnect and connect again; keep the log for the maker."), Tone::Bad};
@@ -127,7 +134,8 @@ EventText refusalText(const Event& event) {
         return {withDetail(EventWords::tr("The controller refused"), detailOf(event)),
                 EventWords::tr("See the controller's manual for the code."), Tone::Warn};
     case EventCode::CommandRefused:
-        return {withDetail(EventWords::tr("The command cannot be carried out in this state"), refusalDetail(event)),
+        return {withDetail(EventWords::tr("The command cannot be carried out in this state"),
+                           refusalDetail(event)),
                 EventWords::tr("After a stop or a fault press Clear first."), Tone::Warn};
     case EventCode::NotSettled:
         return {EventWords::tr("The legs had not settled after %1 s").arg(fixed(event.value, 1)),
@@ -173,7 +181,8 @@ EventText eventText(const Event& event) {
         }
     }
     const std::string_view word = toWord(event.code);
-    return {withDetail(QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size())), detailOf(event)), {},
+    return {withDetail(QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size())), detailOf(event)),
+            {},
             Tone::Idle};
 }
 

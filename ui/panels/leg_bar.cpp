@@ -9,7 +9,9 @@
 
 namespace hexapose {
 
-LegBar::LegBar(QWidget* parent) : QWidget(parent) { setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed); }
+LegBar::LegBar(QWidget* parent) : QWidget(parent) {
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
 
 void LegBar::setStroke(double low, double high) {
     if (low != m_low || high != m_high) {

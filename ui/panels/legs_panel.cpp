@@ -24,6 +24,7 @@ LegsPanel::LegsPanel(const PlatformGeometry& geometry, QWidget* parent) : Card(p
     for (std::size_t i = 0; i < m_heads.size(); ++i) {
         const bool number = i < 3;
         m_heads[i] = makeMutedLabel(this, (number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+        m_heads[i]->setContentsMargins(0, 0, 3, 0); // as the read-outs below
         grid->addWidget(m_heads[i], 0, static_cast<int>(i) + 1);
     }
     for (int leg = 0; leg < kLegCount; ++leg) {
@@ -57,7 +58,8 @@ void LegsPanel::showSnapshot(const Snapshot& snapshot) {
         const auto measured = mm(snapshot.measuredLengths);
         row.commanded->showNumber(commanded, kDecimals);
         row.measured->showNumber(measured, kDecimals);
-        row.error->showNumber(commanded && measured ? std::optional(*measured - *commanded) : std::nullopt, kDecimals);
+        row.error->showNumber(commanded && measured ? std::optional(*measured - *commanded) : std::nullopt,
+                              kDecimals);
         row.measured->setStale(snapshot.stale);
         row.error->setStale(snapshot.stale);
         row.bar->setStroke(mmFromMetres(limits.minLength[i]), mmFromMetres(limits.maxLength[i]));

@@ -23,11 +23,13 @@ namespace hexapose {
 
 namespace {
 
-constexpr int kTickMs = 33;       // about 30 a second
-constexpr int kChartsEvery = 2;   // ticks: curves are drawn 15 times a second
-constexpr int kSilenceMs = 500;   // a loop that gives nothing for so long has stalled
+constexpr int kTickMs = 33;     // about 30 a second
+constexpr int kChartsEvery = 2; // ticks: curves are drawn 15 times a second
+constexpr int kSilenceMs = 500; // a loop that gives nothing for so long has stalled
 
-double seconds(std::chrono::nanoseconds time) { return std::chrono::duration<double>(time).count(); }
+double seconds(std::chrono::nanoseconds time) {
+    return std::chrono::duration<double>(time).count();
+}
 
 bool drivesAreOn(RunState state) {
     return state == RunState::Enabled || state == RunState::Moving || state == RunState::Settling;
@@ -88,7 +90,9 @@ void OperatorWindow::wire() {
     });
 }
 
-void OperatorWindow::setColors(const ThemeColors& colors) { m_charts->setColors(colors); }
+void OperatorWindow::setColors(const ThemeColors& colors) {
+    m_charts->setColors(colors);
+}
 
 void OperatorWindow::setSession(std::unique_ptr<Session> session) {
     m_session = std::move(session);
@@ -127,7 +131,8 @@ void OperatorWindow::sessionOpened() {
     m_charts->clear();
     m_report->clearSamples();
     const QFileInfo log(m_session->logFile());
-    m_report->setDefaultFolder(log.path() + QLatin1Char('/') + log.completeBaseName() + QStringLiteral("-report"));
+    m_report->setDefaultFolder(log.path() + QLatin1Char('/') + log.completeBaseName() +
+                               QStringLiteral("-report"));
     m_connection->setOpen(true);
     m_latest = Snapshot{};
     m_sinceSnapshot.start();
@@ -159,6 +164,7 @@ void OperatorWindow::showSnapshots(const std::vector<Snapshot>& snapshots) {
         m_report->add(snapshot);
         for (const Event& event : snapshot.events) {
             m_events->add(event, snapshot.wallTime);
+            emit eventHappened(event);
         }
         m_banner->showSnapshot(snapshot, true);
     }
@@ -188,7 +194,9 @@ void OperatorWindow::showLatest() {
     }
 }
 
-void OperatorWindow::showPage(int page) { m_pageGroup->button(page)->setChecked(true); }
+void OperatorWindow::showPage(int page) {
+    m_pageGroup->button(page)->setChecked(true);
+}
 
 void OperatorWindow::closeEvent(QCloseEvent* event) {
     if (!m_closeAllowed && m_session && m_session->isOpen() && drivesAreOn(m_latest.state)) {
@@ -206,8 +214,8 @@ void OperatorWindow::askBeforeClosing() {
         return;
     }
     m_question = new QMessageBox(QMessageBox::Question, tr("Close Hexapose"),
-                                 tr("The platform is enabled. Stop it, disable it and close?"), QMessageBox::NoButton,
-                                 this);
+                                 tr("The platform is enabled. Stop it, disable it and close?"),
+                                 QMessageBox::NoButton, this);
     m_question->setAttribute(Qt::WA_DeleteOnClose);
     m_question->setWindowModality(Qt::NonModal); // Stop stays within reach
     QPushButton* close = m_question->addButton(tr("Stop, disable and close"), QMessageBox::AcceptRole);

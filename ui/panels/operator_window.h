@@ -28,7 +28,8 @@ class StatusPanel;
 class TargetPanel;
 struct ThemeColors;
 
-/// The operator's window: Figure 7 made modern. Everything on it comes from snapshots that it polls on its own tick.
+/// The operator's window: Figure 7 made modern. Everything on it comes from snapshots that it polls on its
+/// own tick.
 class OperatorWindow final : public QMainWindow {
     Q_OBJECT
 public:
@@ -53,6 +54,10 @@ public:
     ReportPanel& reportPanel() { return *m_report; }
     TargetPanel& targetPanel() { return *m_target; }
     void showPage(int page); ///< 0: the console, 1: the report
+
+signals:
+    /// Each event of the engine, as it reaches the screen.
+    void eventHappened(const hexapose::Event& event);
 
 protected:
     void changeEvent(QEvent* event) override;

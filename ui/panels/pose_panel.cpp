@@ -22,7 +22,8 @@ std::optional<PoseVector> roundingBound(const PlatformGeometry& geometry, const 
     if (!pose) {
         return std::nullopt;
     }
-    const PoseVector bound = analyticJacobian(geometry, *pose).inverse().cwiseAbs().rowwise().sum() * kLengthResolution / 2.0;
+    const PoseVector bound =
+        analyticJacobian(geometry, *pose).inverse().cwiseAbs().rowwise().sum() * kLengthResolution / 2.0;
     return bound.allFinite() ? std::optional(bound) : std::nullopt;
 }
 
@@ -34,6 +35,7 @@ PosePanel::PosePanel(const PlatformGeometry& geometry, QWidget* parent) : Card(p
     grid->setVerticalSpacing(3);
     for (std::size_t i = 0; i < m_heads.size(); ++i) {
         m_heads[i] = makeMutedLabel(this, Qt::AlignRight | Qt::AlignVCenter);
+        m_heads[i]->setContentsMargins(0, 0, 3, 0); // as the read-outs below
         grid->addWidget(m_heads[i], 0, static_cast<int>(i) + 1);
     }
     for (int i = 0; i < 6; ++i) {
@@ -73,7 +75,8 @@ void PosePanel::showSnapshot(const Snapshot& snapshot) {
         row.target->showNumber(shown(snapshot.targetPose), decimals);
         row.measured->showNumber(shown(snapshot.measuredPose), decimals);
         row.error->showNumber(error, decimals);
-        row.expected->showNumber(bound ? std::optional(shownCoordinate(i, (*bound)[i])) : std::nullopt, decimals);
+        row.expected->showNumber(bound ? std::optional(shownCoordinate(i, (*bound)[i])) : std::nullopt,
+                                 decimals);
         for (ReadOut* readOut : {row.measured, row.error, row.expected}) {
             readOut->setStale(snapshot.stale);
         }

@@ -14,8 +14,8 @@ namespace hexapose {
 
 class ReadOut;
 
-/// The pose: the target on the path, the measured one, the error, and the error that the resolution of the lengths
-/// alone explains. Nothing is shown without a usable solution.
+/// The pose: the target on the path, the measured one, the error, and the error that the resolution of the
+/// lengths alone explains. Nothing is shown without a usable solution.
 class PosePanel final : public Card {
     Q_OBJECT
 public:

@@ -33,7 +33,8 @@ constexpr std::chrono::milliseconds kDwell{1200};
 
 } // namespace
 
-ReportPanel::ReportPanel(const PlatformGeometry& geometry, QWidget* parent) : QWidget(parent), m_geometry(geometry) {
+ReportPanel::ReportPanel(const PlatformGeometry& geometry, QWidget* parent)
+    : QWidget(parent), m_geometry(geometry) {
     build();
     retranslate();
     setConnected(false);
@@ -59,7 +60,9 @@ void ReportPanel::setDefaultFolder(const QString& folder) {
     }
 }
 
-QString ReportPanel::folder() const { return m_folder->text().trimmed(); }
+QString ReportPanel::folder() const {
+    return m_folder->text().trimmed();
+}
 
 void ReportPanel::setFolder(const QString& folder) {
     m_folder->setText(folder);
@@ -69,6 +72,10 @@ void ReportPanel::setFolder(const QString& folder) {
 bool ReportPanel::isRunning() const {
     return m_sequence && m_sequence->phase() != AttitudeSequence::Phase::Done &&
            m_sequence->phase() != AttitudeSequence::Phase::Failed;
+}
+
+QString ReportPanel::progressText() const {
+    return m_progress->toPlainText();
 }
 
 void ReportPanel::add(const Snapshot& snapshot) {
@@ -107,8 +114,9 @@ void ReportPanel::advance(const Snapshot& snapshot) {
 
 void ReportPanel::runReport() {
     try {
-        runList(m_listFile.isEmpty() ? randomAttitudes(m_geometry, kAttitudes, kOffsetRange, kAngleRange, kSeed)
-                                     : readPoseList(m_listFile.toStdString()));
+        runList(m_listFile.isEmpty()
+                    ? randomAttitudes(m_geometry, kAttitudes, kOffsetRange, kAngleRange, kSeed)
+                    : readPoseList(m_listFile.toStdString()));
     } catch (const InputError& error) {
         const QString reason = QString::fromUtf8(error.what());
         m_progress->showText(reason);
@@ -189,7 +197,8 @@ void ReportPanel::write() {
 }
 
 void ReportPanel::chooseList() {
-    auto* dialog = new QFileDialog(this, tr("List of attitudes"), QString(), tr("Attitudes (*.csv);;All files (*)"));
+    auto* dialog =
+        new QFileDialog(this, tr("List of attitudes"), QString(), tr("Attitudes (*.csv);;All files (*)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
@@ -202,14 +211,15 @@ void ReportPanel::chooseList() {
 
 void ReportPanel::showProgress() {
     if (m_sequence) {
-        m_progress->showText(tr("%1 of %2 attitudes done")
-                                 .arg(QString::number(m_sequence->finished()), QString::number(m_sequence->count())));
+        m_progress->showText(
+            tr("%1 of %2 attitudes done")
+                .arg(QString::number(m_sequence->finished()), QString::number(m_sequence->count())));
         if (m_sequence->phase() == AttitudeSequence::Phase::Failed && m_sequence->failure()) {
             m_progress->showText(tr("Ended early: %1").arg(eventText(*m_sequence->failure()).cause));
         }
     } else {
-        m_progress->showText(
-            tr("Each settled Run becomes a sample too: 1 s of lengths, averaged, solved and compared with its target."));
+        m_progress->showText(tr("Each settled Run becomes a sample too: 1 s of lengths, averaged, solved and "
+                                "compared with its target."));
     }
 }
 

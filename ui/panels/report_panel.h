@@ -24,8 +24,8 @@ namespace hexapose {
 class ReportPreview;
 class TextReadOut;
 
-/// The error report: samples of settled attitudes, from single Runs or from a list that it runs through; a table, a
-/// preview, and the files.
+/// The error report: samples of settled attitudes, from single Runs or from a list that it runs through; a
+/// table, a preview, and the files.
 class ReportPanel final : public QWidget {
     Q_OBJECT
 public:
@@ -46,6 +46,8 @@ public:
     /// Runs through attitudes from the beginning; the samples so far are put away.
     void runList(std::vector<Pose> attitudes);
     bool isRunning() const;
+    /// How far the list is, or why it ended early.
+    QString progressText() const;
     /// Ends the list; what moves is stopped by Stop, not by this.
     void cancel();
 

@@ -51,7 +51,8 @@ QWidget* ReportPanel::buildTop() {
     m_progress = new TextReadOut(1, top);
     auto* row = new QHBoxLayout;
     row->setSpacing(6);
-    for (QWidget* widget : std::initializer_list<QWidget*>{m_listLabel, m_list, m_browseList, m_run, m_clear}) {
+    for (QWidget* widget :
+         std::initializer_list<QWidget*>{m_listLabel, m_list, m_browseList, m_run, m_clear}) {
         row->addWidget(widget);
     }
     row->addStretch(1);

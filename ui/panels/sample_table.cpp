@@ -77,9 +77,10 @@ void fillSampleTable(QTableWidget& table, const ErrorReport& report) {
     if (samples == 0) {
         return;
     }
-    const std::pair<QString, const PoseVector*> feet[] = {{SampleTable::tr("mean"), &report.statistics.mean},
-                                                          {SampleTable::tr("RMS"), &report.statistics.rms},
-                                                          {SampleTable::tr("largest"), &report.statistics.maximum}};
+    const std::pair<QString, const PoseVector*> feet[] = {
+        {SampleTable::tr("mean"), &report.statistics.mean},
+        {SampleTable::tr("RMS"), &report.statistics.rms},
+        {SampleTable::tr("largest"), &report.statistics.maximum}};
     int r = samples;
     for (const auto& [text, values] : feet) {
         for (int column = 0; column < kColumns; ++column) {

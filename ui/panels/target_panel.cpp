@@ -24,7 +24,7 @@ constexpr int kJudgeEveryMs = 250;
 constexpr int kValidityLines = 3;
 
 QString rangeText(const std::pair<double, double>& range, int coordinate) {
-    return QString::fromUtf8("%1 \u2026 %2")
+    return QStringLiteral("%1 .. %2")
         .arg(QString::fromStdString(formatFixed(shownCoordinate(coordinate, range.first), 1)),
              QString::fromStdString(formatFixed(shownCoordinate(coordinate, range.second), 1)));
 }
@@ -55,7 +55,7 @@ void TargetPanel::build() {
         auto* label = new QLabel(text.symbol, this);
         label->setMinimumWidth(16);
         m_ranges[at] = makeMutedLabel(this, Qt::AlignRight | Qt::AlignVCenter);
-        m_ranges[at]->setMinimumWidth(fontMetrics().horizontalAdvance(QString::fromUtf8("-000.0 \u2026 000.0")));
+        m_ranges[at]->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("-000.0 .. 000.0")));
         grid->addWidget(label, i + 1, 0);
         grid->addWidget(field, i + 1, 1);
         grid->addWidget(makeMutedLabel(this), i + 1, 2);
@@ -68,7 +68,11 @@ void TargetPanel::build() {
     auto* validity = new QHBoxLayout;
     m_lamp = makeLamp(this);
     m_validity = new TextReadOut(kValidityLines, this);
-    validity->addWidget(m_lamp, 0, Qt::AlignTop);
+    auto* lampColumn = new QVBoxLayout;
+    lampColumn->setContentsMargins(0, 3, 0, 0);
+    lampColumn->addWidget(m_lamp);
+    lampColumn->addStretch(1);
+    validity->addLayout(lampColumn);
     validity->addWidget(m_validity, 1);
     validity->setContentsMargins(0, 2, 0, 0);
     body()->addLayout(validity);
@@ -81,6 +85,7 @@ void TargetPanel::build() {
     m_stop->setObjectName(QStringLiteral("stop"));
     m_reset = new QPushButton(this);
     m_copy = new QPushButton(this);
+    m_copy->setEnabled(false);
     auto* buttons = new QGridLayout;
     buttons->setSpacing(6);
     buttons->addWidget(m_run, 0, 0);
@@ -106,14 +111,7 @@ void TargetPanel::build() {
 }
 
 void TargetPanel::setConnected(bool connected) {
-    m_connected = connected;
     m_run->setEnabled(connected);
-    if (!connected) {
-        m_measured.reset();
-        m_limits = motionLimits(m_geometry, {}, {});
-        judge();
-    }
-    m_copy->setEnabled(m_measured.has_value());
 }
 
 void TargetPanel::showSnapshot(const Snapshot& snapshot) {
@@ -122,7 +120,8 @@ void TargetPanel::showSnapshot(const Snapshot& snapshot) {
     m_measured = live ? snapshot.measuredPose : std::nullopt;
     m_limits = motionLimits(m_geometry, snapshot.minLength, snapshot.maxLength);
     m_copy->setEnabled(m_measured.has_value());
-    if (had != m_measured.has_value() || !m_sinceJudged.isValid() || m_sinceJudged.elapsed() > kJudgeEveryMs) {
+    if (had != m_measured.has_value() || !m_sinceJudged.isValid() ||
+        m_sinceJudged.elapsed() > kJudgeEveryMs) {
         judge();
     }
 }
@@ -201,7 +200,8 @@ void TargetPanel::retranslate() {
                                           tr("Target alpha"), tr("Target beta"), tr("Target gamma")};
     for (std::size_t i = 0; i < names.size(); ++i) {
         m_fields[i]->setAccessibleName(names[i]);
-        m_fields[i]->setToolTip(coordinateTexts()[i].angle ? tr("Rotation in degrees") : tr("Displacement in mm"));
+        m_fields[i]->setToolTip(coordinateTexts()[i].angle ? tr("Rotation in degrees")
+                                                           : tr("Displacement in mm"));
         m_ranges[i]->setToolTip(tr("How far this axis alone can go from the present pose"));
     }
     m_rangeTitle->setText(tr("range from here"));

@@ -56,7 +56,6 @@ private:
     std::optional<Pose> m_measured; ///< present and usable
     std::optional<Verdict> m_verdict;
     QElapsedTimer m_sinceJudged;
-    bool m_connected = false;
     std::array<PoseField*, 6> m_fields{};
     std::array<QLabel*, 6> m_ranges{};
     QLabel* m_rangeTitle = nullptr;

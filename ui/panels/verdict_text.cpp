@@ -18,7 +18,9 @@ struct VerdictText {
     Q_DECLARE_TR_FUNCTIONS(hexapose::VerdictText)
 };
 
-QString number(double value, int decimals) { return QString::fromStdString(formatFixed(value, decimals)); }
+QString number(double value, int decimals) {
+    return QString::fromStdString(formatFixed(value, decimals));
+}
 
 QString legText(const Verdict& verdict) {
     const double value = mmFromMetres(verdict.value);
@@ -29,8 +31,8 @@ QString legText(const Verdict& verdict) {
     const QString text = verdict.reason == Verdict::Reason::LegAboveMax
                              ? VerdictText::tr("Leg %1 would be %2 mm, above its maximum %3 mm (by %4 mm)")
                              : VerdictText::tr("Leg %1 would be %2 mm, below its minimum %3 mm (by %4 mm)");
-    return text.arg(QString::number(verdict.leg), number(value, decimals), QString::fromStdString(formatNumber(bound)),
-                    number(by, decimals));
+    return text.arg(QString::number(verdict.leg), number(value, decimals),
+                    QString::fromStdString(formatNumber(bound)), number(by, decimals));
 }
 
 } // namespace
@@ -66,7 +68,8 @@ QString verdictTextFromWords(const QString& words) {
             .arg(match.captured(1));
     }
     if (const auto match = path.match(words); match.hasMatch()) {
-        return VerdictText::tr("The path comes too close to a singular pose at %1 % of the way").arg(match.captured(1));
+        return VerdictText::tr("The path comes too close to a singular pose at %1 % of the way")
+            .arg(match.captured(1));
     }
     if (words == QLatin1String("near singular")) {
         return VerdictText::tr("Too close to a singular pose");

@@ -11,8 +11,8 @@ namespace hexapose {
 /// "Reachable", or why not: which leg, which limit, by how much.
 QString verdictText(const Verdict& verdict);
 
-/// The same from a verdict's short words ("leg 3 above max_mm"), as an event carries them; the words themselves when
-/// they are not known.
+/// The same from a verdict's short words ("leg 3 above max_mm"), as an event carries them; the words
+/// themselves when they are not known.
 QString verdictTextFromWords(const QString& words);
 
 } // namespace hexapose

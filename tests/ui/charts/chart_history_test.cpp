@@ -35,8 +35,8 @@ TEST(ChartHistory, KeepsTheNewestAndForgetsTheOldest) {
     EXPECT_EQ(curve[0].back(), QPointF(9.0, -9.0));
     EXPECT_EQ(history.valueAt(0, 7.5), 7.0);
     EXPECT_TRUE(std::isnan(history.valueAt(0, 5.0)));
-    history.add(3.0, {1.0, 1.0});                // back in time
-    history.add(20.0, {1.0});                    // another number of channels
+    history.add(3.0, {1.0, 1.0}); // back in time
+    history.add(20.0, {1.0});     // another number of channels
     EXPECT_EQ(history.lastTime(), 9.0);
 }
 

@@ -58,7 +58,8 @@ TEST(Theme, TextAndStatusColoursCanBeRead) {
     constexpr double kLarge = 3.0; // for large text and for what stands out by being grey
     for (const ThemeKind kind : {ThemeKind::Light, ThemeKind::Dark}) {
         const ThemeColors colors = themeColors(kind);
-        for (const QColor& color : {colors.text, colors.muted, colors.good, colors.warn, colors.bad, colors.accent}) {
+        for (const QColor& color :
+             {colors.text, colors.muted, colors.good, colors.warn, colors.bad, colors.accent}) {
             EXPECT_GE(contrast(color, colors.surface), kText) << toWord(kind) << color.name().toStdString();
         }
         EXPECT_GE(contrast(colors.onAccent, colors.accent), kText) << toWord(kind);

@@ -61,8 +61,8 @@ TEST(PoseField, WheelOverAFieldWithoutFocusChangesNothing) {
     PoseField field;
     field.show();
     const auto turn = [&field] {
-        QWheelEvent wheel(QPointF(5, 5), QPointF(5, 5), {}, {0, 120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase,
-                          false);
+        QWheelEvent wheel(QPointF(5, 5), QPointF(5, 5), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
+                          Qt::NoScrollPhase, false);
         QApplication::sendEvent(&field, &wheel);
     };
     field.clearFocus();

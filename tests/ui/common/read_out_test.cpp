@@ -44,8 +44,9 @@ TEST(ReadOut, OldValueIsSaidToBeOld) {
 
 TEST(StatusText, EveryStateAndStatusHasWordsOfItsOwn) {
     QStringList seen;
-    for (const RunState state : {RunState::Disconnected, RunState::Unreferenced, RunState::Disabled, RunState::Enabled,
-                                 RunState::Moving, RunState::Settling, RunState::Stopped, RunState::Fault}) {
+    for (const RunState state :
+         {RunState::Disconnected, RunState::Unreferenced, RunState::Disabled, RunState::Enabled,
+          RunState::Moving, RunState::Settling, RunState::Stopped, RunState::Fault}) {
         seen << stateText(state);
     }
     for (const SolveStatus status :

@@ -13,7 +13,9 @@ namespace {
 
 using namespace hexapose::testing;
 
-QString message(Banner& banner) { return spokenText(banner, QStringLiteral("Message")); }
+QString message(Banner& banner) {
+    return spokenText(banner, QStringLiteral("Message"));
+}
 
 TEST(Banner, SpeaksUpForWhatMustNotBeMissedAndIsGoneAfterwards) {
     const PlatformGeometry geometry = laboratoryPlatform();

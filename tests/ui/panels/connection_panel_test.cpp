@@ -20,7 +20,8 @@ protected:
         panel.setAvailable(true);
         panel.show();
     }
-    template <class Widget = QPushButton> Widget* find(const char* name) {
+    template <class Widget = QPushButton>
+    Widget* find(const char* name) {
         return qobject_cast<Widget*>(findByName(panel, QString::fromLatin1(name)));
     }
     QStringList ports{QStringLiteral("/dev/ttyS0")};

@@ -34,12 +34,14 @@ TEST(EventList, EveryEventIsSaidAndTroubleSaysWhatToDo) {
     for (int code = 0; code <= static_cast<int>(EventCode::PreparationFailed); ++code) {
         const Event event{static_cast<EventCode>(code), 2.0, "detail"};
         const EventText text = eventText(event);
-        EXPECT_NE(text.cause.section(QLatin1Char(':'), 0, 0).toStdString(), toWord(event.code)) << toWord(event.code);
+        EXPECT_NE(text.cause.section(QLatin1Char(':'), 0, 0).toStdString(), toWord(event.code))
+            << toWord(event.code);
         if (text.tone == Tone::Bad || text.tone == Tone::Warn) {
             EXPECT_FALSE(text.advice.isEmpty()) << toWord(event.code);
         }
     }
-    EXPECT_TRUE(eventText({EventCode::CommandRefused, 0.0, "run in stopped"}).cause.endsWith(QStringLiteral("Stopped")));
+    EXPECT_TRUE(eventText({EventCode::CommandRefused, 0.0, "run in stopped"})
+                    .cause.endsWith(QStringLiteral("Stopped")));
     EXPECT_TRUE(eventText({EventCode::StoppedOnSolver, 0.0, "no-solution"})
                     .cause.endsWith(QStringLiteral("No pose has these lengths")));
 }

@@ -14,7 +14,9 @@ namespace {
 
 using namespace hexapose::testing;
 
-QString spoken(QWidget& root, const char* name) { return spokenText(root, QString::fromLatin1(name)); }
+QString spoken(QWidget& root, const char* name) {
+    return spokenText(root, QString::fromLatin1(name));
+}
 bool stale(QWidget& root, const char* name) {
     auto* readOut = qobject_cast<ReadOut*>(findByName(root, QString::fromLatin1(name)));
     return readOut != nullptr && readOut->isStale();
@@ -23,8 +25,8 @@ bool stale(QWidget& root, const char* name) {
 TEST(PosePanel, ShowsTargetMeasuredAndErrorInMmAndDegrees) {
     const PlatformGeometry geometry = laboratoryPlatform();
     PosePanel panel(geometry);
-    panel.showSnapshot(snapshotAt(geometry, poseOf(12.003, -4, 40, 0, 0.25, 5.01), poseOf(12, -4, 40, 0, 0, 5),
-                                  RunState::Enabled, 1.0));
+    panel.showSnapshot(snapshotAt(geometry, poseOf(12.003, -4, 40, 0, 0.25, 5.01),
+                                  poseOf(12, -4, 40, 0, 0, 5), RunState::Enabled, 1.0));
     EXPECT_EQ(spoken(panel, "Measured x"), "12.003");
     EXPECT_EQ(spoken(panel, "Error x"), "0.003");
     EXPECT_EQ(spoken(panel, "Path x"), "12.000");
@@ -81,8 +83,8 @@ TEST(StatusPanel, ShowsStateRateAgeAndWhatTheSolverSaid) {
     snapshot.counters.droppedNumber = 2;
     panel.showSnapshot(snapshot);
     const std::pair<const char*, const char*> expected[] = {
-        {"State", "Moving"}, {"Rate", "100.0"},       {"Age", "4"},
-        {"Solver", "MPR3-NR"}, {"Iterations", "2"},   {"Residual", "3.0e-10"},
+        {"State", "Moving"},     {"Rate", "100.0"},      {"Age", "4"},
+        {"Solver", "MPR3-NR"},   {"Iterations", "2"},    {"Residual", "3.0e-10"},
         {"Dropped frames", "5"}, {"Platform", "Bench 4"}};
     for (const auto& [name, text] : expected) {
         EXPECT_EQ(spoken(panel, name), text) << name;

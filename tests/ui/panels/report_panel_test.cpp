@@ -74,7 +74,8 @@ TEST_F(ReportPanelTest, ExportBeforeTheFirstSampleHappensWithIt) {
 
 TEST_F(ReportPanelTest, ListIsRunThroughOneByOne) {
     QSignalSpy finished(&panel, &ReportPanel::finished);
-    const std::vector<Pose> list{poseOf(1, 0, 0, 0, 0, 0), poseOf(2, 0, 0, 0, 0, 0), poseOf(3, 0, 0, 0, 0, 0)};
+    const std::vector<Pose> list{poseOf(1, 0, 0, 0, 0, 0), poseOf(2, 0, 0, 0, 0, 0),
+                                 poseOf(3, 0, 0, 0, 0, 0)};
     panel.runList(list);
     EXPECT_FALSE(button("Run report")->isEnabled());
     panel.add(snapshotAt(geometry, Pose{}, Pose{}, RunState::Enabled, now));

@@ -28,8 +28,8 @@ Pose poseOf(double xMm, double yMm, double zMm, double alphaDeg, double betaDeg,
             {radiansFromDeg(alphaDeg), radiansFromDeg(betaDeg), radiansFromDeg(gammaDeg)}};
 }
 
-Snapshot snapshotAt(const PlatformGeometry& geometry, const Pose& measured, const Pose& target, RunState state,
-                    double time) {
+Snapshot snapshotAt(const PlatformGeometry& geometry, const Pose& measured, const Pose& target,
+                    RunState state, double time) {
     Snapshot snapshot;
     snapshot.time = std::chrono::nanoseconds(static_cast<std::int64_t>(time * 1e9));
     snapshot.wallTime = std::chrono::system_clock::now();

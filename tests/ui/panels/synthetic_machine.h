@@ -16,8 +16,8 @@ std::shared_ptr<const ForwardSolver> newtonSolver(const PlatformGeometry& geomet
 Pose poseOf(double xMm, double yMm, double zMm, double alphaDeg, double betaDeg, double gammaDeg);
 
 /// As the loop would give it: fresh lengths of a pose, in a state, at a time in seconds.
-Snapshot snapshotAt(const PlatformGeometry& geometry, const Pose& measured, const Pose& target, RunState state,
-                    double time);
+Snapshot snapshotAt(const PlatformGeometry& geometry, const Pose& measured, const Pose& target,
+                    RunState state, double time);
 
 /// A controller that is where it was sent at once, and counts what it is asked.
 class InstantDevice final : public PlatformDevice {

@@ -103,6 +103,7 @@ TEST_F(TargetPanelTest, StopIsAlwaysThereAndOnOneKey) {
     EXPECT_TRUE(button("Stop")->isEnabled());
     button("Stop")->click();
     panel.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&panel));
     QTest::keyClick(panel.fields()[2], Qt::Key_Escape);
     EXPECT_EQ(stops.count(), 2);
 }
@@ -118,7 +119,8 @@ TEST(AxisRange, EndsWhereALegMeetsItsStroke) {
             PoseVector at = PoseVector::Zero();
             at[axis] = end;
             const LegLengths lengths = legLengths(geometry, Pose::fromVector(at));
-            const double gap = std::min((limits.maxLength - lengths).minCoeff(), (lengths - limits.minLength).minCoeff());
+            const double gap =
+                std::min((limits.maxLength - lengths).minCoeff(), (lengths - limits.minLength).minCoeff());
             EXPECT_GE(gap, 0.0) << axis;
             EXPECT_LT(gap, kMetres) << axis;
         }
@@ -133,9 +135,10 @@ TEST(VerdictText, NamesLegLimitAndExcess) {
     EXPECT_EQ(verdictText(below), "Leg 2 would be 249.9900 mm, below its minimum 250 mm (by 0.0100 mm)");
     const Verdict path{Verdict::Reason::PathNearSingular, 0, 0.01, 0.05, 0.63};
     EXPECT_TRUE(verdictText(path).contains(QStringLiteral("63 %")));
-    for (const Verdict& verdict : {above, below, path, Verdict{Verdict::Reason::NearSingular, 0, 0.01, 0.05, 1.0},
-                                   Verdict{Verdict::Reason::OtherBranch, 0, 0, 0, 1.0},
-                                   Verdict{Verdict::Reason::NotFinite, 0, 0, 0, 1.0}}) {
+    for (const Verdict& verdict :
+         {above, below, path, Verdict{Verdict::Reason::NearSingular, 0, 0.01, 0.05, 1.0},
+          Verdict{Verdict::Reason::OtherBranch, 0, 0, 0, 1.0},
+          Verdict{Verdict::Reason::NotFinite, 0, 0, 0, 1.0}}) {
         const QString words = QString::fromStdString(toWords(verdict));
         EXPECT_NE(verdictTextFromWords(words), words); // an event's words are known
     }
