@@ -33,7 +33,7 @@ Eigen::Matrix3d rotationMatrix(const EulerAngles& angles) {
 
 EulerAngles eulerAngles(const Eigen::Matrix3d& R_BP) {
     const auto& R = R_BP;
-    const double cosBeta = std::hypot(R(0, 0), R(1, 0));
+    const double cosBeta = std::sqrt(R(0, 0) * R(0, 0) + R(1, 0) * R(1, 0));
     const double beta = std::atan2(-R(2, 0), cosBeta);
     if (cosBeta < kGimbalLock)
         return {0.0, beta, angleOf(-R(0, 1), R(1, 1))};

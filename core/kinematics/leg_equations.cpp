@@ -3,6 +3,8 @@
 #include "core/kinematics/leg_equations.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <Eigen/SVD>
 
 namespace hexapose {
 
@@ -117,6 +119,17 @@ double LegEquations::jacobianChange(const Evaluation& at, double stepNorm) const
     // |d|.
     constexpr double kFactor = 30.0;
     return kFactor * stepNorm * (1.0 / m_spread + 1.0 / at.length.minCoeff());
+}
+
+double LegEquations::branchSign(const Evaluation& at, double singularValueFloor) const noexcept {
+    const Matrix J = jacobian(at);
+    const double determinant = J.allFinite() ? J.determinant() : 0.0;
+    if (singularValueBound(determinant) >
+        singularValueFloor) // nearly always, and much cheaper than the values
+        return std::copysign(1.0, determinant);
+    if (determinant == 0.0 || Eigen::JacobiSVD<Matrix>(J).singularValues()[5] < singularValueFloor)
+        return 0.0;
+    return std::copysign(1.0, determinant);
 }
 
 bool LegEquations::breaksTriangle(const Legs& target, double slack) const noexcept {

@@ -54,6 +54,10 @@ public:
     /// How much, at most, the Frobenius norm of the Jacobian changes over a step of this norm.
     double jacobianChange(const Evaluation& at, double stepNorm) const noexcept;
 
+    /// Sign of the Jacobian's determinant, which tells the side of the singular surface; 0 where the smallest
+    /// singular value is below the floor.
+    double branchSign(const Evaluation& at, double singularValueFloor) const noexcept;
+
     /// Whether two of these lengths break a triangle inequality: | |d_i| - |d_j| | <= |A_i A_j| + |B_i B_j|.
     bool breaksTriangle(const Legs& target, double slack) const noexcept;
 

@@ -29,7 +29,7 @@ Jacobian publishedJacobian(const PlatformGeometry& geometry, const Pose& pose, L
 } // namespace
 
 NewtonAsPublished::NewtonAsPublished(const PlatformGeometry& geometry, const NewtonOptions& options)
-    : m_geometry(geometry),
+    : m_geometry(geometry), m_equations(geometry),
       m_tolerance(options.tolerance > 0.0 ? options.tolerance : defaultTolerance(geometry)),
       m_maxIterations(options.maxIterations), m_homeDeterminant(homeDeterminant(geometry)) {}
 

@@ -58,6 +58,7 @@ public:
 
 private:
     PlatformGeometry m_geometry;
+    LegEquations m_equations;
     double m_tolerance;
     int m_maxIterations;
     double m_homeDeterminant; ///< 0: singular at home

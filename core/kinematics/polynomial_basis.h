@@ -4,6 +4,9 @@
 
 #include "core/geometry/leg_lengths.h"
 
+#include <array>
+#include <cstddef>
+
 namespace hexapose {
 
 inline constexpr int kMinDegree = 1;
@@ -24,22 +27,40 @@ constexpr int monomialCount(int degree) {
 
 inline constexpr int kMaxMonomials = monomialCount(kMaxDegree);
 
-/// Builds the monomials in their order, degree by degree. The monomials of degree d that end in variable k
-/// are u_k times those of degree d-1 in the variables 0 to k, which stand side by side: each is one product
-/// of an earlier one, and they come in runs. Calls run(k, first parent, first child, count) for each;
-/// monomial 0 is 1.
-template <class Run>
-constexpr void forEachMonomialRun(int degree, Run&& run) {
+/// Neighbouring monomials that are each one variable times an earlier monomial.
+struct MonomialRun {
+    int variable;
+    int parent; ///< first of the earlier ones
+    int child;  ///< first of these
+    int count;
+};
+
+/// How the monomials are built, degree by degree, from monomial 0, which is 1. Those of degree d that end in
+/// variable k are u_k times those of degree d-1 in the variables 0 to k, which stand side by side. Six runs a
+/// degree.
+constexpr std::array<MonomialRun, kMaxDegree * kLegCount> monomialRuns() {
+    std::array<MonomialRun, kMaxDegree * kLegCount> runs{};
     int parents = 0, child = 1;
-    for (int d = 1; d <= degree; ++d) {
+    std::size_t n = 0;
+    for (int d = 1; d <= kMaxDegree; ++d) {
         const int next = child;
         for (int k = 0; k < kLegCount; ++k) {
-            const int count = binomial(d - 1 + k, k);
-            run(k, parents, child, count);
-            child += count;
+            runs[n] = {k, parents, child, binomial(d - 1 + k, k)};
+            child += runs[n++].count;
         }
         parents = next;
     }
+    return runs;
+}
+
+inline constexpr auto kMonomialRuns = monomialRuns();
+
+/// Calls run(variable, parent, child, count) for each run up to a degree.
+template <class Run>
+constexpr void forEachMonomialRun(int degree, Run&& run) {
+    for (std::size_t n = 0; n < static_cast<std::size_t>(degree * kLegCount); ++n)
+        run(kMonomialRuns[n].variable, kMonomialRuns[n].parent, kMonomialRuns[n].child,
+            kMonomialRuns[n].count);
 }
 
 } // namespace hexapose
