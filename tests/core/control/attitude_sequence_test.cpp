@@ -9,7 +9,7 @@ namespace hexapose {
 namespace {
 
 using namespace std::chrono_literals;
-using Phase = AttitudeSequence::Phase;
+using Step = AttitudeSequence::Phase;
 
 Snapshot at(std::chrono::nanoseconds time, std::vector<Event> events = {}) {
     Snapshot snapshot;
@@ -36,13 +36,13 @@ TEST(AttitudeSequence, WaitsForAConnectedPlatformThenVisitsOneAfterTheOther) {
     EXPECT_EQ(sequence.add(at(1s))->offset.x(), 0.0);
     EXPECT_FALSE(sequence.add(at(2s)));
     EXPECT_FALSE(sequence.add(at(3s, {{EventCode::Settled}})));
-    EXPECT_EQ(sequence.phase(), Phase::Dwelling);
+    EXPECT_EQ(sequence.phase(), Step::Dwelling);
     EXPECT_FALSE(sequence.add(at(3900ms)));
     EXPECT_EQ(sequence.add(at(4s))->offset.x(), 0.01);
     EXPECT_EQ(sequence.finished(), 1u);
     sequence.add(at(5s, {{EventCode::Settled}}));
     EXPECT_FALSE(sequence.add(at(6s)));
-    EXPECT_EQ(sequence.phase(), Phase::Done);
+    EXPECT_EQ(sequence.phase(), Step::Done);
     EXPECT_EQ(sequence.finished(), 2u);
 }
 
@@ -55,7 +55,7 @@ TEST(AttitudeSequence, EndsWithTheReasonWhateverStopsTheMove) {
         AttitudeSequence sequence(twoTargets(), 1s);
         sequence.add(at(1s));
         EXPECT_FALSE(sequence.add(at(2s, {{code, 0.0, "why"}})));
-        EXPECT_EQ(sequence.phase(), Phase::Failed) << toWord(code);
+        EXPECT_EQ(sequence.phase(), Step::Failed) << toWord(code);
         EXPECT_EQ(sequence.failure()->detail, "why");
         EXPECT_FALSE(sequence.add(at(3s, {{EventCode::Settled}}))) << "a sequence that failed starts nothing";
     }
@@ -63,7 +63,7 @@ TEST(AttitudeSequence, EndsWithTheReasonWhateverStopsTheMove) {
 
 TEST(AttitudeSequence, AnEmptyListIsDoneAtOnce) {
     AttitudeSequence sequence({}, 1s);
-    EXPECT_EQ(sequence.phase(), Phase::Done);
+    EXPECT_EQ(sequence.phase(), Step::Done);
     EXPECT_FALSE(sequence.add(at(1s)));
 }
 
