@@ -16,6 +16,7 @@ std::string inScratch(const std::string& text, const Scratch& scratch) {
     return std::regex_replace(text, std::regex("@"), scratch.path(""));
 }
 
+constexpr std::chrono::seconds kAtOnce{30};
 using Contents = std::map<std::string, std::string>;
 
 /// Names of the files that came, went or are no longer the same.
@@ -43,7 +44,7 @@ void expectRefused(const std::string& program, const Scratch& scratch, const std
             said.push_back(inScratch(part, scratch));
         const Contents before = scratch.contents();
         Process process(words, call.input);
-        const Outcome outcome = process.wait();
+        const Outcome outcome = process.wait(kAtOnce);
         EXPECT_EQ(outcome.status, 2) << outcome.err;
         EXPECT_EQ(outcome.out, "");
         EXPECT_EQ(notOneLineWith(outcome.err, said), "");

@@ -17,8 +17,6 @@ namespace hexapose::apptest {
 
 namespace {
 
-constexpr std::chrono::milliseconds kWatchdog{250};
-
 double largestGap(const Six& a, const Six& b) {
     double gap = 0.0;
     for (std::size_t i = 0; i < a.size(); ++i)
@@ -99,6 +97,7 @@ void ForeignController::run(const std::stop_token& stop) {
 
 void ForeignController::advance(Clock::time_point now) {
     moveLegs(std::chrono::duration<double>(now - m_now).count());
+    m_longestStep = std::max(m_longestStep, now - m_now);
     m_now = now;
     if (m_plugAt && now >= *m_plugAt) {
         m_plugAt.reset();
@@ -109,7 +108,7 @@ void ForeignController::advance(Clock::time_point now) {
         m_homedAt.reset();
         m_state = 'D';
     }
-    if (m_state == 'E' && now - m_lastHeard > kWatchdog) {
+    if (m_state == 'E' && now - m_lastHeard > m_traits.watchdog) {
         m_state = 'S';
         m_goals = m_legs;
         ++m_watchdogTrips;
@@ -246,6 +245,22 @@ char ForeignController::state() const {
 int ForeignController::boots() const {
     const Lock lock(m_mutex);
     return m_boots;
+}
+
+ForeignController::Ms ForeignController::typicalGap() const {
+    const Lock lock(m_mutex);
+    std::vector<Ms> gaps = m_gaps;
+    if (gaps.empty())
+        return Ms::max();
+    const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
+    std::nth_element(gaps.begin(), middle, gaps.end());
+    return *middle;
+}
+
+bool ForeignController::starved() const {
+    constexpr Ms kOwed{100};
+    const Lock lock(m_mutex);
+    return m_longestStep > kOwed;
 }
 
 Six ForeignController::legs() const {

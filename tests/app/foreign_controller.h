@@ -37,6 +37,7 @@ public:
         int decimals = 2;
         Ms period{20};
         bool obeysPeriod = false;
+        Ms watchdog{2000}; ///< longer than the protocol's, for busy machines; see typicalGap()
         Ms answerDelay{6};
         Ms homing{1000};
         int hellosNeeded = 2;
@@ -71,6 +72,10 @@ public:
     bool misdeedDone() const;
     char state() const;
     int boots() const;
+    /// Median time between two frames of the host while enabled.
+    Ms typicalGap() const;
+    /// Its own thread did not run for so long that it owes the host reports: a failed run says nothing then.
+    bool starved() const;
     Six legs() const;
 
 private:
@@ -145,6 +150,8 @@ private:
     int m_badSent = 0;
     int m_watchdogTrips = 0;
     int m_boots = 0;
+    std::vector<Ms> m_gaps;
+    Clock::duration m_longestStep{0};
     std::jthread m_thread;
 };
 

@@ -30,7 +30,10 @@ void ForeignController::take(const ForeignReader::Item& item) {
             violate("a command to a sender that takes none: " + *item.payload);
         return;
     }
-    m_lastHeard = Clock::now();
+    const Clock::time_point now = Clock::now();
+    if (m_state == 'E')
+        m_gaps.push_back(std::chrono::duration_cast<Ms>(now - m_lastHeard));
+    m_lastHeard = now;
     takeCommand(splitFields(*item.payload));
 }
 

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
+#include <memory>
 #include <ostream>
 
 namespace hexapose::apptest {
@@ -32,6 +33,7 @@ using testing::Not;
 using testing::SizeIs;
 using testing::StartsWith;
 
+constexpr ForeignController::Ms kHalfWatchdog{125}; ///< of the protocol's 250 ms
 const Six kFigure7{12, -4, 40, 0, 0, 5};
 const Six kSecond{-6, 5, 20, 3, -2, -4};
 
@@ -55,6 +57,29 @@ struct Bench {
     std::string targets;
     ForeignController controller;
 };
+
+struct Ran {
+    std::unique_ptr<Bench> bench;
+    Outcome outcome;
+};
+
+constexpr int kAttempts = 3;
+
+/// A run that must go well. It is repeated when the machine was too busy even for the controller to keep its
+/// times.
+Ran runWell(const Traits& traits, const Plan& plan, const std::vector<Six>& poses, bool report) {
+    Ran ran;
+    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+        ran.bench = std::make_unique<Bench>(traits, plan, poses);
+        std::vector<std::string> more;
+        if (report)
+            more = {"--report", ran.bench->scratch.path("report")};
+        ran.outcome = ran.bench->run(more);
+        if (ran.outcome.status == 0 || !ran.bench->controller.starved())
+            break;
+    }
+    return ran;
+}
 
 std::vector<std::string> typesOf(const std::vector<std::string>& payloads) {
     std::vector<std::string> types;
@@ -84,13 +109,15 @@ void expectReport(const std::string& directory) {
 }
 
 TEST(Run, ForeignControllerDoesTheJob) {
-    Bench bench({}, {}, {kFigure7, kSecond});
+    const Ran ran = runWell({}, {}, {kFigure7, kSecond}, true);
+    const Bench& bench = *ran.bench;
+    const Outcome& outcome = ran.outcome;
     const std::string report = bench.scratch.path("report");
-    const Outcome outcome = bench.run({"--report", report});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
     EXPECT_THAT(bench.controller.violations(), IsEmpty());
     EXPECT_EQ(bench.controller.watchdogTrips(), 0);
+    EXPECT_LT(bench.controller.typicalGap(), kHalfWatchdog);
     EXPECT_NE(bench.controller.state(), 'E') << "left enabled";
     EXPECT_THAT(typesOf(bench.controller.payloads()),
                 IsSupersetOf({"HELLO", "HOME", "ENABLE", "SET", "DISABLE"}));
@@ -130,8 +157,9 @@ TEST(Run, GoesOnThroughBadFrames) {
     traits.decimals = 3;
     Plan plan;
     plan.badEvery = 2;
-    Bench bench(traits, plan);
-    const Outcome outcome = bench.run();
+    const Ran ran = runWell(traits, plan, {kFigure7}, false);
+    const Bench& bench = *ran.bench;
+    const Outcome& outcome = ran.outcome;
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_THAT(bench.controller.violations(), IsEmpty());
     EXPECT_THAT(bench.controller.payloads("PERIOD"), Not(IsEmpty()));
@@ -208,8 +236,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Failure{"Restart",
                             asTheyAre,
                             {Misdeed::Restart},
-                            "clock-went-back|stopped-by-controller",
-                            "stopped-by-controller D",
+                            "clock-went-back|stopped-by-controller|stopped-on-refusal SET STATE",
+                            "stopped-",
                             false},
                     Failure{"NarrowerThanThePlatformFile",
                             [](Traits traits) {
@@ -261,7 +289,12 @@ TEST(Run, UnpluggedOnTheWayAndPluggedInAgain) {
     EXPECT_TRUE(bench.log().has("link-lost"));
     // Behind the same name the next run finds it again.
     ASSERT_TRUE(bench.controller.waitFor([&] { return bench.controller.boots() == 2; }));
-    const Outcome second = cli(bench.words("second.csv"));
+    Outcome second;
+    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+        second = cli(bench.words("second" + std::to_string(attempt) + ".csv"));
+        if (second.status == 0 || !bench.controller.starved())
+            break;
+    }
     EXPECT_EQ(second.status, 0) << second.err;
     expectReached(second.out, {kFigure7}, 0.05);
     EXPECT_THAT(bench.controller.violations(), IsEmpty());

@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 
@@ -23,9 +24,10 @@ using testing::StartsWith;
 constexpr double kResolutionMm = 0.1;
 
 std::string setPayload(int number, const Six& lengths) {
+    constexpr double kUnit = 1e4; // four decimals; the protocol takes six at most
     std::string text = "SET," + std::to_string(number);
     for (const double length : lengths)
-        text += "," + shortest(length);
+        text += "," + shortest(std::round(length * kUnit) / kUnit);
     return text;
 }
 
