@@ -46,6 +46,9 @@ HeadlessJob::HeadlessJob(OperatorWindow& window, const std::filesystem::path& ou
     : QObject(parent), m_window(window), m_output(output) {
     m_timer.setInterval(kLookEveryMs);
     connect(&m_timer, &QTimer::timeout, this, &HeadlessJob::advance);
+}
+
+void HeadlessJob::start() {
     connect(&m_window, &OperatorWindow::eventHappened, this, &HeadlessJob::watch);
     connect(&m_window.reportPanel(), &ReportPanel::exported, this, [this](const QStringList& files) {
         m_files = files;
@@ -63,9 +66,6 @@ HeadlessJob::HeadlessJob(OperatorWindow& window, const std::filesystem::path& ou
         m_sinceStep.start();
         press("exportReport");
     });
-}
-
-void HeadlessJob::start() {
     m_sinceStep.start();
     m_timer.start();
 }

@@ -22,11 +22,14 @@ inline QWidget* findByName(QWidget& root, const QString& name) {
 
 /// The text that a screen reader gets there; a mark that no value has when there is none to get.
 inline QString spokenText(QWidget* widget) {
-    QAccessibleInterface* accessible = widget != nullptr ? QAccessible::queryAccessibleInterface(widget) : nullptr;
+    QAccessibleInterface* accessible =
+        widget != nullptr ? QAccessible::queryAccessibleInterface(widget) : nullptr;
     QAccessibleTextInterface* text = accessible != nullptr ? accessible->textInterface() : nullptr;
     return text != nullptr ? text->text(0, text->characterCount()) : QStringLiteral("(no text)");
 }
 
-inline QString spokenText(QWidget& root, const QString& name) { return spokenText(findByName(root, name)); }
+inline QString spokenText(QWidget& root, const QString& name) {
+    return spokenText(findByName(root, name));
+}
 
 } // namespace hexapose::testing

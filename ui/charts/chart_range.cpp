@@ -30,11 +30,8 @@ AxisRange chartRange(double low, double high, const std::optional<std::pair<doub
         to = std::max(to, data->second);
     }
     const double tick = niceStep((to - from) / kTicksWanted);
-    // The side that the data did not leave stays where it was.
-    if (from < low) {
+    if (from < low || to > high) {
         from = std::floor(from / tick + kRounding) * tick;
-    }
-    if (to > high) {
         to = std::ceil(to / tick - kRounding) * tick;
     }
     return {from, to, tick};

@@ -8,7 +8,7 @@
 
 namespace hexapose {
 
-Card::Card(QWidget* parent) : QFrame(parent), m_title(new QLabel(this)), m_body(new QVBoxLayout(this)) {
+Card::Card(QWidget* parent) : QFrame(parent), m_title(makeCaption(this)), m_body(new QVBoxLayout(this)) {
     setObjectName(QStringLiteral("card"));
     m_title->setObjectName(QStringLiteral("cardTitle"));
     m_body->setContentsMargins(12, 8, 12, 10);
@@ -32,8 +32,14 @@ QLabel* makeLamp(QWidget* parent) {
     return lamp;
 }
 
-QLabel* makeMutedLabel(QWidget* parent, Qt::Alignment alignment) {
+QLabel* makeCaption(QWidget* parent) {
     auto* label = new QLabel(parent);
+    label->setAccessibleName(QStringLiteral(" ")); // an empty one would mean the label's text
+    return label;
+}
+
+QLabel* makeMutedLabel(QWidget* parent, Qt::Alignment alignment) {
+    QLabel* label = makeCaption(parent);
     label->setProperty("muted", true);
     label->setAlignment(alignment);
     return label;

@@ -85,8 +85,13 @@ void TextReadOut::showText(const QString& text) {
     }
 }
 
+// Measured as a text: letters of a font that stands in for another may be taller than this font's own.
 void TextReadOut::fitHeight() {
-    setFixedHeight(fontMetrics().lineSpacing() * m_lines + 2);
+    QTextDocument sample;
+    sample.setDocumentMargin(0);
+    sample.setDefaultFont(font());
+    sample.setPlainText(QString(m_lines - 1, QLatin1Char('\n')) + QString::fromUtf8("A\u6bb5"));
+    setFixedHeight(static_cast<int>(std::ceil(sample.size().height())) + 2);
 }
 
 void TextReadOut::changeEvent(QEvent* event) {

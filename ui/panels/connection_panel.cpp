@@ -3,6 +3,7 @@
 #include "ui/panels/connection_panel.h"
 
 #include "core/geometry/number_text.h"
+#include "ui/common/card.h"
 
 #include <QComboBox>
 #include <QEvent>
@@ -45,14 +46,14 @@ ConnectionPanel::ConnectionPanel(PortList ports, QWidget* parent)
 }
 
 void ConnectionPanel::build() {
-    m_portLabel = new QLabel(this);
+    m_portLabel = makeCaption(this);
     m_port = new PortBox([this] { refreshPorts(); }, this);
     m_port->setEditable(true);
     m_port->setCompleter(nullptr); // a typed path is taken as it is typed
     m_port->setInsertPolicy(QComboBox::NoInsert);
     m_port->setMinimumWidth(170);
     m_port->addItem(QString());
-    m_baudLabel = new QLabel(this);
+    m_baudLabel = makeCaption(this);
     m_baud = new QComboBox(this);
     m_baud->setEditable(true);
     m_baud->setInsertPolicy(QComboBox::NoInsert);

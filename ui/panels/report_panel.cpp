@@ -182,18 +182,24 @@ void ReportPanel::write() {
         for (const auto& file : exportErrorReport(m_report, folder().toStdString())) {
             m_files.append(QString::fromStdString(file.string()));
         }
-        m_filesText->showText(m_files.join(QLatin1Char('\n')));
+        showFiles(m_files.join(QLatin1Char('\n')));
         const QString where = folder();
         emit noted([where] { return EventText{tr("Report written to %1").arg(where), {}, Tone::Good}; });
         emit exported(m_files);
     } catch (const InputError& error) {
         const QString reason = QString::fromUtf8(error.what());
-        m_filesText->showText(reason);
+        showFiles(reason);
         emit noted([reason] {
             return EventText{tr("The report cannot be written: %1").arg(reason), tr("Choose another folder."),
                              Tone::Bad};
         });
     }
+}
+
+void ReportPanel::showFiles(const QString& text) {
+    m_filesText->showText(text);
+    m_filesText->show();
+    m_filesLabel->show();
 }
 
 void ReportPanel::chooseList() {

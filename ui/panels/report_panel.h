@@ -74,6 +74,7 @@ private:
     void advance(const Snapshot& snapshot);
     void rebuildReport();
     void write();
+    void showFiles(const QString& text);
     void showProgress();
     void retranslate();
 

