@@ -7,6 +7,7 @@
 #include "app/cli/interrupt.h"
 #include "app/cli/solver_choice.h"
 #include "app/common/device_factory.h"
+#include "app/common/port_check.h"
 #include "core/control/limits.h"
 #include "core/geometry/input_error.h"
 #include "core/geometry/number_text.h"
@@ -19,7 +20,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <string>
-#include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
 
@@ -43,14 +43,6 @@ void checkTargets(const PlatformGeometry& platform, const std::vector<Pose>& tar
     }
 }
 
-void checkPort(const std::string& port) {
-    struct stat status {};
-    if (stat(port.c_str(), &status) != 0)
-        throw InputError(port, "no such port");
-    if (!S_ISCHR(status.st_mode))
-        throw InputError(port, "is not a serial port");
-}
-
 /// Now rather than after the run, when there is nothing left but to say that the report is lost.
 void checkReport(const std::string& directory) {
     std::error_code error;
@@ -65,7 +57,7 @@ std::unique_ptr<PlatformDevice> openDevice(const std::string& port, const Platfo
                                            int baud) {
     if (port == "virtual")
         return makeVirtualDevice(platform);
-    checkPort(port);
+    requireSerialPort(port);
     return makeSerialDevice(port, baud);
 }
 

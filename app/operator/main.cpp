@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/common/directories.h"
+#include "app/common/port_check.h"
 #include "app/operator/console.h"
 #include "app/operator/headless_job.h"
 #include "app/operator/operator_options.h"
@@ -91,6 +92,9 @@ int main(int argc, char* argv[]) {
             return 0;
         }
         const PlatformGeometry geometry = loadPlatform(findPlatformFile(options.platform));
+        if (options.connection && !options.connection->virtualPlatform) {
+            requireSerialPort(options.connection->port.toStdString());
+        }
         if (options.logDirectory.empty()) {
             options.logDirectory = defaultLogDirectory();
         }

@@ -113,7 +113,8 @@ void ControlLoop::Impl::advanceMove(Clock::time_point time) {
         return dropMotion();
     if (move->phase() == JointMove::Phase::Settled)
         return move.reset(); // the set-point is held from here on
-    if (move->phase() != JointMove::Phase::Ready || feedback.state != ControllerState::Enabled || !measuredPose)
+    if (move->phase() != JointMove::Phase::Ready || feedback.state != ControllerState::Enabled ||
+        !measuredPose)
         return;
     // Referencing may have moved the legs: judge the path again from where the platform is now.
     const Verdict verdict = checkLegPath(geometry, limits(), *measuredPose, move->target());
@@ -189,7 +190,8 @@ void ControlLoop::shutDown() {
     Impl& loop = *m_impl;
     if (!loop.takesCommands())
         return;
-    const bool stopFirst = loop.move.has_value();
+    // A stop that the last cycle decided on has not gone out yet.
+    const bool stopFirst = loop.move.has_value() || loop.pendingRequest == DeviceRequest::Stop;
     loop.dropMotion();
     if (stopFirst)
         loop.feedback = loop.device.exchange({std::nullopt, DeviceRequest::Stop});

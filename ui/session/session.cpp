@@ -66,8 +66,8 @@ void Session::Impl::tellFailure(const std::string& reason, const Snapshot& last)
 
 namespace {
 
-/// A busy desktop must not starve the loop until the controller's watchdog stops the platform. Where the system does
-/// not allow it, it stays as it was.
+/// A busy desktop must not starve the loop until the controller's watchdog stops the platform. Where the
+/// system does not allow it, it stays as it was.
 void preferThisThread() {
     constexpr int kNice = -10;
     setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNice);

@@ -284,6 +284,16 @@ TEST_F(ControlLoopTest, ShutDownStopsAMoveAndDisables) {
     EXPECT_NE(m_device.state, ControllerState::Enabled);
 }
 
+TEST_F(ControlLoopTest, AStopDecidedInTheLastCycleGoesOutInTheShutDown) {
+    startMoving();
+    m_device.notices.push_back({DeviceNotice::Kind::Refused, "SET", "RANGE leg 1"});
+    cycles(1);
+    ASSERT_TRUE(saw(EventCode::StoppedOnRefusal));
+    const std::size_t mark = m_device.received.size();
+    m_loop->shutDown();
+    EXPECT_EQ(m_device.received.at(mark).request, DeviceRequest::Stop);
+}
+
 TEST_F(ControlLoopTest, AHeldPlatformThatIsShutDownIsDisabled) {
     startMoving();
     until(RunState::Enabled);

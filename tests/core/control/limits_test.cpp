@@ -100,8 +100,8 @@ TEST_F(LimitsTest, RefusesALegPathThroughASingularityThoughBothEndsAreGood) {
     EXPECT_NE(toWords(verdict).find("path near singular at "), std::string::npos);
 }
 
-/// The legs of yaw 120 deg have a twin pose, and the straight leg path from home leads to that one: identical legs,
-/// no singularity met, and still not the target.
+/// The legs of yaw 120 deg have a twin pose, and the straight leg path from home leads to that one: identical
+/// legs, no singularity met, and still not the target.
 TEST_F(LimitsTest, RefusesALegPathThatEndsAtTheTwinOfTheTarget) {
     m_limits.minLength.setZero();
     m_limits.maxLength.setConstant(10.0);

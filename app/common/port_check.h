@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+namespace hexapose {
+
+/// A port that was asked for by an option must be there. Throws InputError when nothing has this path, or
+/// when it is not a serial port. (A port that goes away later is waited for instead.)
+void requireSerialPort(const std::string& path);
+
+} // namespace hexapose
