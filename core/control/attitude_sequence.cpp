@@ -52,8 +52,7 @@ std::optional<Pose> AttitudeSequence::add(const Snapshot& snapshot) {
         return m_targets[m_finished];
     }
     for (const Event& event : snapshot.events) {
-        if (endsTheRun(event.code) ||
-            (event.code == EventCode::ControllerRefused && m_phase == Phase::Moving)) {
+        if (endsTheRun(event.code)) {
             m_phase = Phase::Failed;
             m_failure = event;
             return std::nullopt;

@@ -85,6 +85,7 @@ void ControlLoop::Impl::takeRefusal(const DeviceNotice& notice, Clock::time_poin
         lastSetRefusalText = what;
     } else if (move && (notice.request == "HOME" || notice.request == "ENABLE")) {
         dropMotion();
+        return raise({EventCode::PreparationFailed, 0.0, what});
     }
     raise({EventCode::ControllerRefused, 0.0, what});
 }
