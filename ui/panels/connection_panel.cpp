@@ -168,10 +168,15 @@ void ConnectionPanel::retranslate() {
         m_port->setEditText(m_port->itemText(0));
     }
     m_portLabel->setText(tr("Connection"));
-    m_port->setAccessibleName(tr("Connection"));
+    // On Linux a box gives its value for its name; its editor is where a screen reader finds the name.
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_port, m_port->lineEdit()}) {
+        widget->setAccessibleName(tr("Connection"));
+    }
     m_port->setToolTip(tr("The built-in virtual platform, or a serial port; any path can be typed"));
     m_baudLabel->setText(tr("Baud rate"));
-    m_baud->setAccessibleName(tr("Baud rate"));
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_baud, m_baud->lineEdit()}) {
+        widget->setAccessibleName(tr("Baud rate"));
+    }
     const auto name = [](QPushButton* button, const QString& text, const QString& tip) {
         button->setText(text);
         button->setAccessibleName(text);

@@ -41,8 +41,9 @@ void ReportPanel::build() {
 
 QWidget* ReportPanel::buildTop() {
     auto* top = new QWidget(this);
-    m_listLabel = makeCaption(top);
+    m_listLabel = new QLabel(top);
     m_list = new QComboBox(top);
+    m_listLabel->setBuddy(m_list); // on Linux a box is named by its label alone
     m_list->setMinimumContentsLength(24);
     m_list->addItem(QString());
     m_browseList = new QPushButton(top);
@@ -118,7 +119,7 @@ void ReportPanel::retranslate() {
     name(m_run, tr("Run report"), tr("Move to each attitude in turn and measure it; the platform moves"));
     name(m_clear, tr("Clear samples"), tr("Put the samples away"));
     m_table->setAccessibleName(tr("Samples"));
-    m_table->setHorizontalHeaderLabels(sampleTableHeads());
+    nameSampleColumns(*m_table);
     fillSampleTable(*m_table, m_report);
     m_preview->setAccessibleName(tr("Preview of the report"));
     m_preview->setEmptyText(tr("No samples yet"));

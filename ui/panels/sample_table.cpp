@@ -49,7 +49,7 @@ void prepareSampleTable(QTableWidget& table) {
     table.setShowGrid(false);
 }
 
-QStringList sampleTableHeads() {
+void nameSampleColumns(QTableWidget& table) {
     QStringList heads{SampleTable::tr("No.")};
     for (const CoordinateText& text : coordinateTexts()) {
         heads << text.symbol + QStringLiteral(", ") + text.unit;
@@ -57,7 +57,8 @@ QStringList sampleTableHeads() {
     for (const CoordinateText& text : coordinateTexts()) {
         heads << QString::fromUtf8("\u0394") + text.symbol + QStringLiteral(", ") + text.unit;
     }
-    return heads << SampleTable::tr("Solution");
+    table.setHorizontalHeaderLabels(heads << SampleTable::tr("Solution"));
+    table.horizontalHeaderItem(kStatus)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
 }
 
 void fillSampleTable(QTableWidget& table, const ErrorReport& report) {

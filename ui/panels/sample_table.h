@@ -4,15 +4,13 @@
 
 #include "core/report/error_report.h"
 
-#include <QStringList>
-
 class QTableWidget;
 
 namespace hexapose {
 
 /// The table of samples: number, target, error, status; a foot with mean, RMS and largest error.
 void prepareSampleTable(QTableWidget& table);
-QStringList sampleTableHeads();
+void nameSampleColumns(QTableWidget& table); ///< in the language of the screen
 void fillSampleTable(QTableWidget& table, const ErrorReport& report);
 
 } // namespace hexapose

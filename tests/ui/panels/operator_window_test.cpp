@@ -49,13 +49,11 @@ protected:
         found->selectAll();
         QTest::keyClicks(found, QString::fromLatin1(text));
     }
-    /// Every name that a screen reader meets, captions among them; the inner editor of a box speaks for the
-    /// box.
+    /// Every name that a screen reader meets, captions among them.
     QStringList spokenNames() {
         QStringList names;
         for (QWidget* widget : window.findChildren<QWidget*>()) {
-            QAccessibleInterface* accessible = QAccessible::queryAccessibleInterface(widget);
-            if (accessible != nullptr && qobject_cast<QComboBox*>(widget->parentWidget()) == nullptr) {
+            if (QAccessibleInterface* accessible = QAccessible::queryAccessibleInterface(widget)) {
                 names << accessible->text(QAccessible::Name);
             }
         }
