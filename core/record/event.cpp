@@ -90,8 +90,8 @@ std::string_view toWord(EventCode code) {
 }
 
 std::optional<EventCode> eventCodeFromWord(std::string_view word) {
-    const auto* found =
-        std::find_if(kEventWords.begin(), kEventWords.end(), [&](const EventWord& w) { return w.word == word; });
+    const auto* found = std::find_if(kEventWords.begin(), kEventWords.end(),
+                                     [&](const EventWord& w) { return w.word == word; });
     return found == kEventWords.end() ? std::nullopt : std::optional(found->code);
 }
 

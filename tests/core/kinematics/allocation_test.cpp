@@ -55,7 +55,8 @@ TEST(Allocation, TheCounterSeesEigenAndNew) {
     const Eigen::VectorXd dynamic = Eigen::VectorXd::Ones(50);
     EXPECT_GT(allocations, before);
     const int between = allocations;
-    ::operator delete(::operator new(static_cast<std::size_t>(dynamic.sum()))); // not elided, unlike an expression
+    ::operator delete(
+        ::operator new(static_cast<std::size_t>(dynamic.sum()))); // not elided, unlike an expression
     EXPECT_GT(allocations, between);
 }
 
