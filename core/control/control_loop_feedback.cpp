@@ -76,6 +76,13 @@ void ControlLoop::Impl::takeNotice(const DeviceNotice& notice, Clock::time_point
 void ControlLoop::Impl::takeRefusal(const DeviceNotice& notice, Clock::time_point time) {
     const std::string what = notice.request + " " + notice.text;
     if (notice.request == "SET") {
+        if (moving() && notice.text.starts_with("STATE")) {
+            // The drives went down on their own; the measurement that says so comes a moment later.
+            raise({EventCode::ControllerRefused, 0.0, what});
+            const bool known = feedback.state != ControllerState::Enabled;
+            const auto letter = static_cast<char>(known ? feedback.state : ControllerState::Unknown);
+            return stop({EventCode::StoppedByController, 0.0, std::string(1, letter)});
+        }
         if (moving())
             return stop({EventCode::StoppedOnRefusal, 0.0, what});
         // A held set-point is refused in every cycle: say it once a second.
