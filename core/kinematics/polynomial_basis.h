@@ -58,7 +58,7 @@ inline constexpr auto kMonomialRuns = monomialRuns();
 /// Calls run(variable, parent, child, count) for each run up to a degree.
 template <class Run>
 constexpr void forEachMonomialRun(int degree, Run&& run) {
-    for (std::size_t n = 0; n < static_cast<std::size_t>(degree * kLegCount); ++n)
+    for (std::size_t n = 0; n < static_cast<std::size_t>(degree) * static_cast<std::size_t>(kLegCount); ++n)
         run(kMonomialRuns[n].variable, kMonomialRuns[n].parent, kMonomialRuns[n].child,
             kMonomialRuns[n].count);
 }

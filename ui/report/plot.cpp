@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 namespace hexapose {
 
@@ -256,9 +257,9 @@ void PlotPainter::paintLegend() {
     };
     if (m_plot.band && !m_plot.band->steps.empty())
         place(m_plot.band->name, nullptr);
-    for (auto series = m_plot.series.rbegin(); series != m_plot.series.rend(); ++series)
-        if (!series->points.empty())
-            place(series->name, &*series);
+    for (const Plot::Series& series : std::views::reverse(m_plot.series))
+        if (!series.points.empty())
+            place(series.name, &series);
 }
 
 /// The swatch of a series, or of the band.
