@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 namespace hexapose {
 
@@ -257,9 +256,10 @@ void PlotPainter::paintLegend() {
     };
     if (m_plot.band && !m_plot.band->steps.empty())
         place(m_plot.band->name, nullptr);
-    for (const Plot::Series& series : std::views::reverse(m_plot.series))
+    std::for_each(m_plot.series.rbegin(), m_plot.series.rend(), [&](const Plot::Series& series) {
         if (!series.points.empty())
             place(series.name, &series);
+    });
 }
 
 /// The swatch of a series, or of the band.
