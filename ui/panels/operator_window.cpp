@@ -56,6 +56,7 @@ OperatorWindow::~OperatorWindow() {
     if (m_session) {
         m_session->disconnect(this); // the panels are going
     }
+    delete m_question; // while there still is a window that it can tell
 }
 
 void OperatorWindow::wire() {
