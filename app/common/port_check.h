@@ -6,8 +6,9 @@
 
 namespace hexapose {
 
-/// A port that was asked for by an option must be there. Throws InputError when nothing has this path, or
-/// when it is not a serial port. (A port that goes away later is waited for instead.)
+/// A port that was asked for by an option must be there. Throws InputError when nothing has this path, when
+/// it is not a serial port, and when it cannot be opened (permission, in use). A port that goes away later is
+/// waited for instead.
 void requireSerialPort(const std::string& path);
 
 } // namespace hexapose

@@ -232,6 +232,7 @@ TEST(BadOptions, OfRunAndNothingIsSentOrDamaged) {
                                 {"run --port virtual --targets @poses.csv", {"--log"}},
                                 {anyPort + "/dev/ttyNOWHERE", {"/dev/ttyNOWHERE", "no such"}},
                                 {anyPort + "@plain", {"@plain"}},
+                                {anyPort + "/dev/null", {"/dev/null", "not a serial port"}},
                                 {anyPort + "@directory", {"@directory"}},
                                 {good + "--baud 0", {"--baud", "0"}},
                                 {good + "--baud fast", {"--baud", "fast"}},
