@@ -63,12 +63,8 @@ ForwardResult NewtonAsPublished::solve(const LegLengths& lengths, const Pose& st
     result.residual = legResidual(m_geometry, lengths, result.pose);
     result.accurate = result.residual <= m_tolerance;
     if (result.status == SolveStatus::Converged) {
-        const double sign = m_equations.branchSign(
-            m_equations.evaluate(m_equations.placementOf(result.pose), target), kSingularValueFloor);
-        if (sign == 0.0)
-            result.status = SolveStatus::Singular;
-        else if (sign * m_homeDeterminant < 0.0)
-            result.status = SolveStatus::OtherBranch;
+        const auto end = m_equations.evaluate(m_equations.placementOf(result.pose), target);
+        result.status = branchStatus(m_equations.branchSign(end, kSingularValueFloor), m_homeDeterminant);
     }
     return result;
 }

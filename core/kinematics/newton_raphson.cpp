@@ -89,13 +89,8 @@ ForwardResult NewtonRaphson::solve(const LegLengths& lengths, const Pose& start)
                          run.end == NewtonEnd::Solved};
     if (result.status == SolveStatus::NoSolution)
         return withoutPose(SolveStatus::NoSolution, iterations, residual);
-    if (result.status == SolveStatus::Converged) {
-        const double sign = branchSign(m_equations, run);
-        if (sign == 0.0)
-            result.status = SolveStatus::Singular;
-        else if (sign * m_homeDeterminant < 0.0)
-            result.status = SolveStatus::OtherBranch;
-    }
+    if (result.status == SolveStatus::Converged)
+        result.status = branchStatus(branchSign(m_equations, run), m_homeDeterminant);
     return result;
 }
 

@@ -28,6 +28,13 @@ inline ForwardResult withoutPose(SolveStatus status, int iterations, double resi
     return result;
 }
 
+/// What the sign of the Jacobian's determinant at a converged pose (0: singular there) says beside home's.
+inline SolveStatus branchStatus(double sign, double homeDeterminant) noexcept {
+    if (sign == 0.0)
+        return SolveStatus::Singular;
+    return sign * homeDeterminant < 0.0 ? SolveStatus::OtherBranch : SolveStatus::Converged;
+}
+
 /// Norm of the six leg errors at a pose, m, also where its square would overflow.
 double legResidual(const PlatformGeometry& geometry, const LegLengths& lengths, const Pose& pose) noexcept;
 
