@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/operator/headless_job.h"
 
-#include "core/geometry/units.h"
+#include "core/geometry/input_error.h"
+#include "core/geometry/number_text.h"
 #include "core/report/error_report.h"
 #include "ui/common/pose_field.h"
+#include "ui/common/status_text.h"
 #include "ui/panels/event_list.h"
 #include "ui/panels/report_panel.h"
 #include "ui/panels/target_panel.h"
@@ -16,6 +18,8 @@
 #include <QPixmap>
 #include <QPushButton>
 
+#include <array>
+#include <cmath>
 #include <cstdio>
 
 namespace hexapose {
@@ -25,11 +29,9 @@ namespace {
 constexpr int kLookEveryMs = 50;
 constexpr qint64 kStepTimeoutMs = 150000; // a machine may take two minutes to find its reference
 constexpr int kReportAttitudes = 3;       // enough to show the report without a long wait
-constexpr double kOffsetRange = 0.010;
-constexpr double kAngleRange = radiansFromDeg(10.0);
 constexpr std::uint64_t kSeed = 1;
-// The attitude of the published test.
-constexpr const char* kTarget[] = {"12", "-4", "40", "0", "0", "5"};
+/// The attitude of the published test.
+constexpr std::array<double, 6> kTarget{12.0, -4.0, 40.0, 0.0, 0.0, 5.0};
 
 void typeInto(PoseField& field, const QString& text) {
     field.setFocus();
@@ -71,6 +73,14 @@ void HeadlessJob::start() {
 }
 
 void HeadlessJob::advance() {
+    try {
+        nextStep();
+    } catch (const InputError& error) {
+        fail(QString::fromUtf8(error.what()));
+    }
+}
+
+void HeadlessJob::nextStep() {
     const Snapshot& now = m_window.latest();
     if (m_sinceStep.elapsed() > kStepTimeoutMs) {
         fail(QStringLiteral("timed out; last event: ") + m_window.events().textAt(0));
@@ -102,8 +112,22 @@ void HeadlessJob::watch(const Event& event) {
 }
 
 void HeadlessJob::typeTarget() {
-    for (std::size_t i = 0; i < 6; ++i) {
-        typeInto(*m_window.targetPanel().fields()[i], QString::fromLatin1(kTarget[i]));
+    std::array<double, 6> shown = kTarget;
+    type(shown);
+    if (m_window.targetPanel().verdict() && m_window.targetPanel().verdict()->ok()) {
+        return;
+    }
+    // Not for this machine: one that it can reach.
+    const PoseVector si = defaultAttitudes(m_window.session()->setup().geometry, 1, kSeed).front().toVector();
+    for (int i = 0; i < 6; ++i) {
+        shown[static_cast<std::size_t>(i)] = std::round(1e3 * shownCoordinate(i, si[i])) / 1e3;
+    }
+    type(shown);
+}
+
+void HeadlessJob::type(const std::array<double, 6>& shown) {
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+        typeInto(*m_window.targetPanel().fields()[i], QString::fromStdString(formatNumber(shown[i])));
     }
 }
 
@@ -115,8 +139,7 @@ void HeadlessJob::startReport() {
     if (!m_output.empty()) {
         m_window.reportPanel().setFolder(QString::fromStdString(m_output.string()));
     }
-    m_window.reportPanel().runList(
-        randomAttitudes(geometry, kReportAttitudes, kOffsetRange, kAngleRange, kSeed));
+    m_window.reportPanel().runList(defaultAttitudes(geometry, kReportAttitudes, kSeed));
 }
 
 void HeadlessJob::press(const char* button) {

@@ -9,6 +9,7 @@
 #include <QStringList>
 #include <QTimer>
 
+#include <array>
 #include <filesystem>
 
 namespace hexapose {
@@ -29,7 +30,9 @@ signals:
 private:
     enum class Step { Connecting, Starting, Moving, Reporting, Exporting, Ended };
     void advance();
+    void nextStep();
     void typeTarget();
+    void type(const std::array<double, 6>& shown);
     void startReport();
     void savePicture();
     void watch(const Event& event);

@@ -20,6 +20,10 @@ constexpr double kSingularityMargin = 0.05;
 /// mistake.
 constexpr int kDrawsPerAttitude = 10000;
 
+constexpr double kDefaultOffsetRange = 0.010;
+constexpr double kDefaultAngleRange = radiansFromDeg(10.0);
+constexpr int kMostHalvings = 12;
+
 /// Uniform in [-1, 1). The library's distributions differ between implementations; a seed should not.
 double symmetricUnit(std::mt19937_64& random) {
     return std::ldexp(static_cast<double>(random() >> 11U), -52) - 1.0;
@@ -59,6 +63,18 @@ std::vector<Pose> randomAttitudes(const PlatformGeometry& geometry, int count, d
         poses.push_back(pose);
     }
     return poses;
+}
+
+std::vector<Pose> defaultAttitudes(const PlatformGeometry& geometry, int count, std::uint64_t seed) {
+    for (int halvings = 0;; ++halvings) {
+        try {
+            return randomAttitudes(geometry, count, std::ldexp(kDefaultOffsetRange, -halvings),
+                                   std::ldexp(kDefaultAngleRange, -halvings), seed);
+        } catch (const InputError&) {
+            if (halvings == kMostHalvings)
+                throw;
+        }
+    }
 }
 
 } // namespace hexapose

@@ -3,7 +3,6 @@
 #include "ui/panels/report_panel.h"
 
 #include "core/geometry/input_error.h"
-#include "core/geometry/units.h"
 #include "core/record/pose_list.h"
 #include "ui/common/read_out.h"
 #include "ui/panels/report_preview.h"
@@ -25,8 +24,6 @@ namespace {
 
 // The list of Figure 8: 10 attitudes within +-10 mm and +-10 degrees.
 constexpr int kAttitudes = 10;
-constexpr double kOffsetRange = 0.010;
-constexpr double kAngleRange = radiansFromDeg(10.0);
 constexpr std::uint64_t kSeed = 1;
 // A little longer than the second that a sample is averaged over.
 constexpr std::chrono::milliseconds kDwell{1200};
@@ -114,9 +111,8 @@ void ReportPanel::advance(const Snapshot& snapshot) {
 
 void ReportPanel::runReport() {
     try {
-        runList(m_listFile.isEmpty()
-                    ? randomAttitudes(m_geometry, kAttitudes, kOffsetRange, kAngleRange, kSeed)
-                    : readPoseList(m_listFile.toStdString()));
+        runList(m_listFile.isEmpty() ? defaultAttitudes(m_geometry, kAttitudes, kSeed)
+                                     : readPoseList(m_listFile.toStdString()));
     } catch (const InputError& error) {
         const QString reason = QString::fromUtf8(error.what());
         m_progress->showText(reason);

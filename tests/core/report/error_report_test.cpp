@@ -4,6 +4,8 @@
 #include "core/report/error_report.h"
 
 #include "core/geometry/input_error.h"
+#include "core/geometry/units.h"
+#include "core/kinematics/inverse_kinematics.h"
 #include "core/record/csv_table.h"
 #include "tests/core/report/report_fixture.h"
 
@@ -176,6 +178,25 @@ TEST(RandomAttitudes, RefusesWhatCannotBeDrawn) {
     EXPECT_THROW(randomAttitudes(laboratory(), 1, -0.01, 0.1, 1), InputError);
     EXPECT_THROW(randomAttitudes(laboratory(), 1, 0.01, std::nan(""), 1), InputError);
     EXPECT_TRUE(randomAttitudes(laboratory(), 0, 0.01, 0.1, 1).empty());
+}
+
+TEST(DefaultAttitudes, FitMachinesOfShortStroke) {
+    const auto usual = defaultAttitudes(laboratory(), 10, 1);
+    EXPECT_EQ(usual.front().toVector(),
+              randomAttitudes(laboratory(), 10, 0.01, radiansFromDeg(10.0), 1).front().toVector());
+    PlatformGeometry tight = laboratory();
+    const LegLengths home = tight.homeLengths();
+    for (int i = 0; i < kLegCount; ++i) {
+        Leg& leg = tight.legs[static_cast<std::size_t>(i)];
+        leg.minLength = home[i] - 2e-4;
+        leg.maxLength = home[i] + 2e-4;
+    }
+    EXPECT_THROW(randomAttitudes(tight, 10, 0.01, radiansFromDeg(10.0), 1), InputError);
+    for (const Pose& pose : defaultAttitudes(tight, 10, 1))
+        EXPECT_LE((legLengths(tight, pose) - home).cwiseAbs().maxCoeff(), 2e-4);
+    for (Leg& leg : tight.legs)
+        leg.maxLength = (leg.minLength = 0.1) + 1e-3;
+    EXPECT_THROW(defaultAttitudes(tight, 1, 1), InputError);
 }
 
 } // namespace
