@@ -14,9 +14,12 @@ namespace hexapose {
 
 namespace {
 
-/// The size for which a unit is one pixel.
+/// The size of one panel for which a unit is one pixel, and the space between two.
 constexpr double kNaturalWidth = 780.0;
-constexpr double kNaturalHeight = 580.0;
+constexpr double kNaturalHeight = 283.0;
+constexpr double kBetween = 14.0;
+/// Side by side a panel may be narrower before its text shrinks.
+constexpr double kNaturalWidthBeside = 580.0;
 constexpr double kHeadroom = 1.12;
 /// A bound that dwarfs the errors would flatten them into one line; then it only fills the background.
 constexpr double kMostBandOverErrors = 6.0;
@@ -91,13 +94,18 @@ Plot makePlot(const ErrorReport& report, const Panel& panel) {
 } // namespace
 
 void paintErrorPanels(QPainter& painter, const QRectF& area, const ErrorReport& report) {
-    const double unit = std::min(area.width() / kNaturalWidth, area.height() / kNaturalHeight);
-    const double between = 14.0 * unit;
-    const QSizeF size(area.width(), (area.height() - between) / 2.0);
+    const double stacked =
+        std::min(area.width() / kNaturalWidth, area.height() / (2.0 * kNaturalHeight + kBetween));
+    const double beside =
+        std::min(area.width() / (2.0 * kNaturalWidthBeside + kBetween), area.height() / kNaturalHeight);
+    const double unit = std::max(stacked, beside);
+    const QPointF step = beside > stacked ? QPointF((area.width() + kBetween * unit) / 2.0, 0.0)
+                                          : QPointF(0.0, (area.height() + kBetween * unit) / 2.0);
+    const QSizeF size = beside > stacked ? QSizeF(step.x() - kBetween * unit, area.height())
+                                         : QSizeF(area.width(), step.y() - kBetween * unit);
     painter.fillRect(area, Qt::white);
     paintPlot(painter, QRectF(area.topLeft(), size), makePlot(report, kAngles), unit);
-    paintPlot(painter, QRectF(area.topLeft() + QPointF(0.0, size.height() + between), size),
-              makePlot(report, kDisplacements), unit);
+    paintPlot(painter, QRectF(area.topLeft() + step, size), makePlot(report, kDisplacements), unit);
 }
 
 } // namespace hexapose

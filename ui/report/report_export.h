@@ -14,7 +14,8 @@
 namespace hexapose {
 
 /// Draws the two panels of Figure 8 (angle errors in rad, displacement errors in m, over the sample number),
-/// with the predicted bound as a band, into the rectangle. Always light: it is paper.
+/// with the predicted bound as a band, into the rectangle: one above the other, or side by side in a flat
+/// one. Always light: it is paper.
 void paintErrorPanels(QPainter& painter, const QRectF& area, const ErrorReport& report);
 
 /// Writes report.pdf, errors.csv, errors.png and errors.svg into the directory (made when missing). Each file
