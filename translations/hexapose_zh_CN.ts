@@ -419,6 +419,45 @@
     </message>
 </context>
 <context>
+    <name>hexapose::NamedPoses</name>
+    <message>
+        <source>Pose name</source>
+        <translation>位姿名称</translation>
+    </message>
+    <message>
+        <source>Named poses</source>
+        <translation>已命名的位姿</translation>
+    </message>
+    <message>
+        <source>Choose a pose to put it into the fields, or type a name to keep them under</source>
+        <translation>选择一个位姿填入各字段，或输入名称以保存当前字段</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Keep pose</source>
+        <translation>保存位姿</translation>
+    </message>
+    <message>
+        <source>Keep the fields under this name; nothing moves</source>
+        <translation>以此名称保存各字段，不产生任何运动</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>删除</translation>
+    </message>
+    <message>
+        <source>Remove pose</source>
+        <translation>删除位姿</translation>
+    </message>
+    <message>
+        <source>Forget the pose of this name</source>
+        <translation>删除此名称的位姿</translation>
+    </message>
+</context>
+<context>
     <name>hexapose::OperatorWindow</name>
     <message>
         <source>The log cannot be created, so nothing was connected: %1</source>

@@ -4,9 +4,12 @@
 
 #include "app/common/device_factory.h"
 #include "app/common/directories.h"
+#include "app/operator/pose_book.h"
 #include "core/device/serial/serial_ports.h"
 #include "ui/panels/banner.h"
 #include "ui/panels/event_list.h"
+#include "ui/panels/named_poses.h"
+#include "ui/panels/target_panel.h"
 #include "ui/panels/window_menu.h"
 
 #include <QApplication>
@@ -55,6 +58,12 @@ Console::Console(QApplication& application, const OperatorOptions& options, cons
         const std::string_view word = toWord(kind);
         QSettings().setValue(kThemeKey,
                              QString::fromLatin1(word.data(), static_cast<qsizetype>(word.size())));
+    });
+    NamedPoses& named = m_window->targetPanel().namedPoses();
+    named.setPoses(loadNamedPoses(settings, geometry.fingerprint()));
+    connect(&named, &NamedPoses::changed, this, [this, &named] {
+        QSettings kept;
+        saveNamedPoses(kept, m_geometry.fingerprint(), named.poses());
     });
     connect(&m_model, &ModelJob::progressed, this,
             [this](double part) { m_window->banner().showTraining(part); });

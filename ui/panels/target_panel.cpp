@@ -8,6 +8,7 @@
 #include "ui/common/status_text.h"
 #include "ui/common/theme.h"
 #include "ui/panels/axis_range.h"
+#include "ui/panels/named_poses.h"
 #include "ui/panels/verdict_text.h"
 
 #include <QEvent>
@@ -93,6 +94,8 @@ void TargetPanel::build() {
     buttons->addWidget(m_reset, 1, 0);
     buttons->addWidget(m_copy, 1, 1);
     body()->addLayout(buttons);
+    m_named = new NamedPoses(this);
+    body()->addWidget(m_named);
     for (QPushButton* button : {m_run, m_stop}) {
         button->setMinimumHeight(38);
     }
@@ -103,6 +106,12 @@ void TargetPanel::build() {
     connect(m_copy, &QPushButton::clicked, this, [this] {
         if (m_measured) {
             setTarget(*m_measured);
+        }
+    });
+    connect(m_named, &NamedPoses::chosen, this, &TargetPanel::setTarget);
+    connect(m_named, &NamedPoses::keepRequested, this, [this] {
+        if (const auto pose = target()) {
+            m_named->keep(*pose);
         }
     });
     auto* stopKey = new QShortcut(QKeySequence(Qt::Key_Escape), this);
@@ -167,6 +176,9 @@ void TargetPanel::judge() {
         m_verdict = checkLegPath(m_geometry, m_limits, *m_measured, *pose);
     } else {
         m_verdict = checkPose(m_geometry, m_limits, *pose);
+    }
+    if (m_named != nullptr) {
+        m_named->setTargetWhole(pose.has_value());
     }
     showVerdict();
     showRanges();

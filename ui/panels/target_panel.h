@@ -15,6 +15,7 @@ class QPushButton;
 
 namespace hexapose {
 
+class NamedPoses;
 class PoseField;
 class TextReadOut;
 
@@ -33,6 +34,7 @@ public:
     std::optional<Pose> target() const;
     std::optional<Verdict> verdict() const { return m_verdict; }
     const std::array<PoseField*, 6>& fields() const { return m_fields; }
+    NamedPoses& namedPoses() { return *m_named; }
 
 public slots:
     void run();
@@ -65,6 +67,7 @@ private:
     QPushButton* m_stop = nullptr;
     QPushButton* m_reset = nullptr;
     QPushButton* m_copy = nullptr;
+    NamedPoses* m_named = nullptr;
 };
 
 } // namespace hexapose

@@ -5,9 +5,12 @@
 #include "tests/ui/screen_reader.h"
 #include "ui/common/pose_field.h"
 #include "ui/panels/axis_range.h"
+#include "ui/panels/named_poses.h"
 #include "ui/panels/target_panel.h"
 #include "ui/panels/verdict_text.h"
 
+#include <QComboBox>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
@@ -95,6 +98,40 @@ TEST_F(TargetPanelTest, ResetAndCopyFillTheFieldsAndMoveNothing) {
     EXPECT_EQ(spokenText(panel, QStringLiteral("Target y")), "2.25");
     button("Reset")->click();
     EXPECT_TRUE(panel.target()->toVector().isZero());
+    EXPECT_EQ(runs.count(), 0);
+}
+
+TEST_F(TargetPanelTest, PosesAreKeptChosenReplacedAndRemovedByTheirNames) {
+    QSignalSpy runs(&panel, &TargetPanel::runRequested);
+    QSignalSpy changes(&panel.namedPoses(), &NamedPoses::changed);
+    auto* box = qobject_cast<QComboBox*>(findByName(panel, QStringLiteral("Pose name")));
+    ASSERT_NE(box, nullptr);
+    live(Pose{});
+    EXPECT_FALSE(button("Keep pose")->isEnabled());
+    const auto keep = [&](const char* name, const char* z) {
+        type("Target z", z);
+        box->setFocus();
+        box->lineEdit()->selectAll();
+        QTest::keyClicks(box->lineEdit(), QString::fromUtf8(name));
+        button("Keep pose")->click();
+    };
+    keep("loading", "30");
+    keep("a scan", "-5");
+    keep("loading", "31");
+    ASSERT_EQ(panel.namedPoses().poses().size(), 2U);
+    EXPECT_EQ(panel.namedPoses().poses()[0].name, QStringLiteral("a scan"));
+    EXPECT_NEAR(panel.namedPoses().poses()[1].pose.offset[2], 0.031, 1e-12);
+
+    box->setFocus();
+    QTest::keyClick(box, Qt::Key_Up); // the first of two
+    EXPECT_NEAR(panel.target()->offset[2], -0.005, 1e-12);
+    type("Target z", "-");
+    EXPECT_FALSE(button("Keep pose")->isEnabled()) << "there is no whole pose to keep";
+    EXPECT_TRUE(button("Remove pose")->isEnabled());
+    button("Remove pose")->click();
+    EXPECT_FALSE(button("Remove pose")->isEnabled());
+    EXPECT_EQ(panel.namedPoses().poses().size(), 1U);
+    EXPECT_EQ(changes.count(), 4);
     EXPECT_EQ(runs.count(), 0);
 }
 
