@@ -29,6 +29,7 @@ constexpr double kTextPoints = 9.0;
 constexpr double kTablePoints = 8.0;
 constexpr double kLineHeight = 4.8;
 constexpr double kRowHeight = 4.3;
+constexpr double kParagraphGap = 1.5;
 
 const QColor kTextInk(0x22, 0x22, 0x22);
 const QColor kQuiet(0x66, 0x66, 0x66);
@@ -45,7 +46,7 @@ PdfPages::PdfPages(QIODevice& device, const QString& title, const QString& foote
     m_writer.setTitle(title);
     m_writer.setCreator(QStringLiteral("Hexapose"));
     if (!m_painter.begin(&m_writer))
-        throw InputError("report.pdf", "cannot be drawn");
+        throw InputError(title.toStdString(), "cannot be drawn");
     paintFooter();
 }
 
@@ -119,6 +120,18 @@ void PdfPages::note(const QString& text, int lines) {
     QTextOption wrapped(Qt::AlignLeft | Qt::AlignTop);
     wrapped.setWrapMode(QTextOption::WordWrap);
     m_painter.drawText(take(lines * kRowHeight), text, wrapped);
+}
+
+double PdfPages::paragraphHeight(const QString& text) {
+    const QFontMetricsF metrics(font(kTextPoints), &m_writer);
+    const QRectF room(0.0, 0.0, px(width()), px(pageHeight()));
+    return metrics.boundingRect(room, Qt::TextWordWrap, text).height() / px(1.0) + kParagraphGap;
+}
+
+void PdfPages::paragraph(const QString& text) {
+    m_painter.setFont(font(kTextPoints));
+    m_painter.setPen(kTextInk);
+    m_painter.drawText(take(paragraphHeight(text)), Qt::TextWordWrap, text);
 }
 
 double PdfPages::lineHeight() {

@@ -18,8 +18,9 @@ public:
     PdfPages(QIODevice& device, const QString& title, const QString& footer, int pageCount);
 
     QPainter& painter() { return m_painter; }
-    double width() const;       ///< between the margins
-    double remaining() const;   ///< down to the footer
+    double width() const;     ///< between the margins
+    double remaining() const; ///< down to the footer
+    int page() const { return m_page; }
     static double pageHeight(); ///< what remaining() is on a new page
     void newPage();
     void skip(double height) { m_y += height; }
@@ -31,6 +32,9 @@ public:
     void line(const QString& label, double labelWidth, const QString& text);
     /// Small print, wrapped within so many lines.
     void note(const QString& text, int lines);
+    /// Text, wrapped within as many lines as it takes.
+    void paragraph(const QString& text);
+    double paragraphHeight(const QString& text);
     void rule();
     static double lineHeight();
 

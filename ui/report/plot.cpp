@@ -4,6 +4,7 @@
 #include "ui/report/plot.h"
 
 #include "ui/report/nice_ticks.h"
+#include "ui/report/plot_marks.h"
 
 #include <QFontMetricsF>
 #include <QPolygonF>
@@ -21,7 +22,6 @@ const QColor kGrid(0xD8, 0xD8, 0xD8);
 constexpr double kTextSize = 13.0; // all sizes in units
 constexpr double kTickTextSize = 12.0;
 constexpr double kGap = 6.0;
-constexpr double kCrowdedRadius = 2.5; // of a marker
 
 /// One plot on its way to paper.
 class PlotPainter {
@@ -36,10 +36,10 @@ private:
     void paintBand();
     void paintGrid();
     void paintAxes();
+    void paintTitle();
     void paintSeries(const Plot::Series& series);
-    void paintMarker(Plot::Marker marker, const QColor& colour, QPointF centre, double radius);
     void paintLegend();
-    void paintLegendEntry(const Plot::Series* series, QPointF left);
+    void paintBandSwatch(QPointF left);
     double markerRadius() const;
     QPen pen(const QColor& colour, double width) const {
         return {colour, width * m_unit, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin};
@@ -68,7 +68,8 @@ PlotPainter::PlotPainter(QPainter& painter, const QRectF& area, const Plot& plot
 void PlotPainter::layOut() {
     const double gap = kGap * m_unit;
     const double top = m_metrics.height() + 1.5 * gap;
-    const double bottom = m_tickMetrics.height() + m_metrics.height() + 2.0 * gap;
+    const double bottom =
+        m_tickMetrics.height() + 2.0 * gap + (m_plot.xLabel.isEmpty() ? 0.0 : m_metrics.height());
     const double height = std::max(1.0, m_area.height() - top - bottom);
     m_yTicks = niceTicks(m_plot.y.low, m_plot.y.high,
                          std::max(2, static_cast<int>(height / (2.2 * m_tickMetrics.height()))));
@@ -80,7 +81,13 @@ void PlotPainter::layOut() {
     const double width = std::max(1.0, m_area.width() - left - 2.0 * gap);
     m_frame = QRectF(m_area.left() + left, m_area.top() + top, width, height);
     const double xLabel = m_tickMetrics.horizontalAdvance(QString::number(m_plot.x.high, 'f', 0)) + 3.0 * gap;
-    m_xTicks = niceTicks(m_plot.x.low, m_plot.x.high, std::max(2, static_cast<int>(width / xLabel)), true);
+    if (m_plot.xMarks.empty())
+        m_xTicks =
+            niceTicks(m_plot.x.low, m_plot.x.high, std::max(2, static_cast<int>(width / xLabel)), true);
+    for (const Plot::Mark& mark : m_plot.xMarks) {
+        m_xTicks.values.push_back(mark.x);
+        m_xTicks.labels.push_back(mark.label);
+    }
 }
 
 QPointF PlotPainter::at(double x, double y) const {
@@ -169,6 +176,7 @@ void PlotPainter::paintAxes() {
     m_painter.drawText(
         QRectF(m_frame.left(), m_area.top(), m_frame.width(), m_frame.top() - m_area.top() - gap / 2),
         Qt::AlignLeft | Qt::AlignBottom, timesPowerOfTen(m_yTicks.exponent));
+    paintTitle();
 
     m_painter.setFont(m_font);
     const double text = m_metrics.height();
@@ -182,6 +190,16 @@ void PlotPainter::paintAxes() {
     m_painter.restore();
 }
 
+/// Beside the power of ten that belongs to the axis.
+void PlotPainter::paintTitle() {
+    const double power = m_tickMetrics.horizontalAdvance(timesPowerOfTen(m_yTicks.exponent));
+    const double left = power > 0.0 ? power + 2.0 * kGap * m_unit : 0.0;
+    m_painter.setFont(paperFont(kTextSize * m_unit, true));
+    m_painter.drawText(QRectF(m_frame.left() + left, m_area.top(), m_frame.width() - left,
+                              m_frame.top() - m_area.top() - kGap * m_unit / 2.0),
+                       Qt::AlignLeft | Qt::AlignBottom, m_plot.title);
+}
+
 double PlotPainter::markerRadius() const {
     const double points = std::max(1.0, m_plot.x.high - m_plot.x.low);
     const double room = m_frame.width() / points;
@@ -192,7 +210,7 @@ void PlotPainter::paintSeries(const Plot::Series& series) {
     QPolygonF run;
     const double radius = markerRadius();
     // Lines between a great many samples would hide the samples.
-    const bool crowded = radius <= kCrowdedRadius * m_unit;
+    const bool crowded = radius <= kCrowdedMarker * m_unit && series.marker != Plot::Marker::None;
     QColor colour = series.colour;
     colour.setAlphaF(crowded ? 0.45F : 1.0F);
     m_painter.setPen(pen(colour, crowded ? 0.7 : 1.5));
@@ -211,36 +229,14 @@ void PlotPainter::paintSeries(const Plot::Series& series) {
     paintRun();
     for (const QPointF& point : series.points)
         if (std::isfinite(point.y()))
-            paintMarker(series.marker, series.colour, at(point.x(), point.y()), radius);
-}
-
-void PlotPainter::paintMarker(Plot::Marker marker, const QColor& colour, QPointF centre, double radius) {
-    const QPointF right(radius, 0.0);
-    const QPointF down(0.0, radius);
-    if (marker == Plot::Marker::Cross) {
-        m_painter.setPen(pen(colour, 0.45 * radius / m_unit));
-        m_painter.drawLine(centre - right - down, centre + right + down);
-        m_painter.drawLine(centre - right + down, centre + right - down);
-        return;
-    }
-    if (radius > kCrowdedRadius * m_unit)
-        m_painter.setPen(pen(Qt::white, 0.6)); // keeps markers apart that lie on one another
-    else
-        m_painter.setPen(Qt::NoPen);
-    m_painter.setBrush(colour);
-    if (marker == Plot::Marker::Circle)
-        m_painter.drawEllipse(centre, radius, radius);
-    else if (marker == Plot::Marker::Square)
-        m_painter.drawRect(QRectF(centre - 0.9 * (right + down), centre + 0.9 * (right + down)));
-    else
-        m_painter.drawPolygon(QPolygonF{centre - 1.25 * down, centre + 1.1 * right + 0.85 * down,
-                                        centre - 1.1 * right + 0.85 * down});
+            paintPlotMarker(m_painter, series.marker, series.colour, at(point.x(), point.y()), radius,
+                            m_unit);
 }
 
 /// From the right edge of the frame to the left, above it.
 void PlotPainter::paintLegend() {
     m_painter.setFont(m_font);
-    const double swatch = 24.0 * m_unit;
+    const double swatch = kSwatchWidth * m_unit;
     const double gap = kGap * m_unit;
     const double y = m_frame.top() - gap / 2 - m_metrics.height() / 2;
     double right = m_frame.right();
@@ -251,31 +247,24 @@ void PlotPainter::paintLegend() {
             QRectF(right - width - gap, y - m_metrics.height(), width + gap, 2 * m_metrics.height()),
             Qt::AlignRight | Qt::AlignVCenter, name);
         right -= width + gap + swatch;
-        paintLegendEntry(series, QPointF(right, y));
+        if (series != nullptr)
+            paintSwatch(m_painter, *series, QPointF(right, y), m_unit);
+        else
+            paintBandSwatch(QPointF(right, y));
         right -= 2.5 * gap;
     };
     if (m_plot.band && !m_plot.band->steps.empty())
         place(m_plot.band->name, nullptr);
     std::for_each(m_plot.series.rbegin(), m_plot.series.rend(), [&](const Plot::Series& series) {
-        if (!series.points.empty())
+        if (!series.points.empty() && !series.name.isEmpty())
             place(series.name, &series);
     });
 }
 
-/// The swatch of a series, or of the band.
-void PlotPainter::paintLegendEntry(const Plot::Series* series, QPointF left) {
-    const double swatch = 24.0 * m_unit;
-    if (series == nullptr) {
-        m_painter.setPen(pen(kGrid, 0.7));
-        m_painter.setBrush(m_plot.band->colour);
-        m_painter.drawRect(QRectF(left - QPointF(0, 5 * m_unit), QSizeF(swatch, 10 * m_unit)));
-        return;
-    }
-    if (series->connected) {
-        m_painter.setPen(pen(series->colour, 1.5));
-        m_painter.drawLine(left, left + QPointF(swatch, 0.0));
-    }
-    paintMarker(series->marker, series->colour, left + QPointF(swatch / 2, 0.0), 4.0 * m_unit);
+void PlotPainter::paintBandSwatch(QPointF left) {
+    m_painter.setPen(pen(kGrid, 0.7));
+    m_painter.setBrush(m_plot.band->colour);
+    m_painter.drawRect(QRectF(left - QPointF(0, 5 * m_unit), QSizeF(kSwatchWidth * m_unit, 10 * m_unit)));
 }
 
 } // namespace

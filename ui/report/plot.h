@@ -18,9 +18,9 @@ namespace hexapose {
 /// matter.
 struct Plot {
     /// Told apart by shape as well as by colour.
-    enum class Marker { Circle, Square, Triangle, Cross };
+    enum class Marker { Circle, Square, Triangle, Cross, Ring, None };
     struct Series {
-        QString name;
+        QString name; ///< empty: not in the legend
         QColor colour;
         Marker marker = Marker::Circle;
         bool connected = true;
@@ -37,10 +37,17 @@ struct Plot {
         double high = 1.0;
     };
 
+    struct Mark {
+        double x;
+        QString label;
+    };
+
+    QString title; ///< above the frame on the left
     QString xLabel;
     QString yLabel;
     Range x;
     Range y;
+    std::vector<Mark> xMarks; ///< what the x axis shows; whole numbers where there are none
     std::optional<Band> band;
     std::vector<Series> series; ///< those without points are left out of the legend
     QString note;               ///< in the upper half, when there is nothing to draw

@@ -5,13 +5,10 @@
 
 #include "core/geometry/input_error.h"
 #include "ui/report/error_report_pdf.h"
+#include "ui/report/picture_files.h"
 
 #include <QBuffer>
 #include <QDateTime>
-#include <QFile>
-#include <QImage>
-#include <QSaveFile>
-#include <QSvgGenerator>
 
 #include <system_error>
 
@@ -37,38 +34,15 @@ QByteArray pdfBytes(const ErrorReport& report) {
     return buffer.data();
 }
 
-QByteArray pngBytes(const ErrorReport& report) {
-    QImage image(kPngSize, QImage::Format_RGB32);
-    QPainter painter(&image);
-    paintFigure(painter, image.size(), report);
-    painter.end();
-    QBuffer buffer;
-    buffer.open(QIODevice::WriteOnly);
-    image.save(&buffer, "PNG");
-    return buffer.data();
+/// The figure as both kinds of files.
+QByteArray figurePng(const ErrorReport& report) {
+    return pngBytes(kPngSize, [&](QPainter& painter) { paintFigure(painter, kPngSize, report); });
 }
 
-QByteArray svgBytes(const ErrorReport& report) {
-    QBuffer buffer;
-    buffer.open(QIODevice::WriteOnly);
-    QSvgGenerator generator;
-    generator.setOutputDevice(&buffer);
-    generator.setSize(kSvgSize);
-    generator.setViewBox(QRect(QPoint(), kSvgSize));
-    generator.setTitle(QStringLiteral("Forward kinematics error report"));
-    generator.setDescription(QString::fromStdString(report.platformName).toHtmlEscaped());
-    QPainter painter(&generator);
-    paintFigure(painter, kSvgSize, report);
-    painter.end();
-    return buffer.data();
-}
-
-/// Under a temporary name first, so that nobody ever sees half of it.
-void writeWhole(const std::filesystem::path& file, const QByteArray& bytes) {
-    QSaveFile out(QFile::decodeName(file.c_str()));
-    if (bytes.isEmpty() || !out.open(QIODevice::WriteOnly) || out.write(bytes) != bytes.size() ||
-        !out.commit())
-        throw InputError(file.string(), "cannot be written: " + out.errorString().toStdString());
+QByteArray figureSvg(const ErrorReport& report) {
+    return svgBytes(kSvgSize, QStringLiteral("Forward kinematics error report"),
+                    QString::fromStdString(report.platformName),
+                    [&](QPainter& painter) { paintFigure(painter, kSvgSize, report); });
 }
 
 } // namespace
@@ -82,20 +56,20 @@ std::vector<std::filesystem::path> exportErrorReport(const ErrorReport& report,
     const std::vector<std::pair<std::filesystem::path, QByteArray>> files{
         {directory / "report.pdf", pdfBytes(report)},
         {directory / "errors.csv", QByteArray::fromStdString(formatErrorCsv(report))},
-        {directory / "errors.png", pngBytes(report)},
-        {directory / "errors.svg", svgBytes(report)},
+        {directory / "errors.png", figurePng(report)},
+        {directory / "errors.svg", figureSvg(report)},
     };
     std::vector<std::filesystem::path> written;
     for (const auto& [file, bytes] : files) {
-        writeWhole(file, bytes);
+        writeWholeFile(file, bytes);
         written.push_back(file);
     }
     return written;
 }
 
 void exportErrorPictures(const ErrorReport& report, const std::filesystem::path& stem) {
-    writeWhole(stem.string() + ".png", pngBytes(report));
-    writeWhole(stem.string() + ".svg", svgBytes(report));
+    writeWholeFile(stem.string() + ".png", figurePng(report));
+    writeWholeFile(stem.string() + ".svg", figureSvg(report));
 }
 
 } // namespace hexapose
