@@ -32,7 +32,7 @@ constexpr Command kCommands[] = {
     {"simulate", simulateCommand, false, "a virtual platform on a pseudo-terminal"},
     {"run", runCommand, true, "move a platform through a list of attitudes, and report"},
     {"report", reportCommand, true, "the error report of a recorded run"},
-    {"reproduce", reproduceCommand, true, "the published tables beside measured values"},
+    {"reproduce", reproduceCommand, true, "the published tables and figures beside measured values"},
 };
 
 void printHelp() {

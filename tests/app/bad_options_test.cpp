@@ -48,10 +48,17 @@ TEST(BadOptions, OfEveryCommand) {
         {"", {"missing command"}},
         {"fly", {"unknown command", "fly"}},
         {"--fly", {"--fly"}},
-        {"reproduce table9 --out @out", {"table9"}},
+        {"reproduce table9 --out @out", {"table9", "table2, table3, table4, table5, figure3, figure5, all"}},
+        {"reproduce figure8 --out @out", {"figure8", "known"}},
+        {"reproduce '' --out @out", {"known"}},
+        {"reproduce table2 table3 --out @out", {"unexpected", "table3"}},
+        {"reproduce all --out @out --platform @other.toml", {"--platform", "laboratory"}},
+        {"reproduce figure3 --out @out --platform @other.toml", {"--platform", "laboratory"}},
         {"reproduce", {"reproduce", "missing"}},
         {"reproduce table5", {"--out"}},
         {"reproduce table5 --out @plain/out", {"@plain"}},
+        {"reproduce figure3 --out @plain", {"@plain"}},
+        {"reproduce figure3 --out", {"out"}},
     };
     const std::vector<std::string> good{"inverse @poses.csv",
                                         "forward @lengths.csv --method newton",
@@ -59,7 +66,7 @@ TEST(BadOptions, OfEveryCommand) {
                                         "simulate --protocol line",
                                         "run --port virtual --targets @poses.csv --log @log.csv",
                                         "report @recorded.csv --out @out",
-                                        "reproduce table5 --out @out"};
+                                        "reproduce all --out @out"};
     for (const std::string& command : good) {
         const std::string name = command.substr(0, command.find(' '));
         calls.push_back({command + " --colour", {name, "colour"}});

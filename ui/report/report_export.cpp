@@ -67,9 +67,4 @@ std::vector<std::filesystem::path> exportErrorReport(const ErrorReport& report,
     return written;
 }
 
-void exportErrorPictures(const ErrorReport& report, const std::filesystem::path& stem) {
-    writeWholeFile(stem.string() + ".png", figurePng(report));
-    writeWholeFile(stem.string() + ".svg", figureSvg(report));
-}
-
 } // namespace hexapose

@@ -24,7 +24,4 @@ void paintErrorPanels(QPainter& painter, const QRectF& area, const ErrorReport& 
 std::vector<std::filesystem::path> exportErrorReport(const ErrorReport& report,
                                                      const std::filesystem::path& directory);
 
-/// The two panels alone: `stem`.png and `stem`.svg. Throws InputError when one cannot be written.
-void exportErrorPictures(const ErrorReport& report, const std::filesystem::path& stem);
-
 } // namespace hexapose
