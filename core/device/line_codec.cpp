@@ -23,7 +23,7 @@ std::string hexDigits(std::uint16_t value) {
     constexpr std::string_view kDigits = "0123456789ABCDEF";
     std::string text(4, '0');
     for (std::size_t i = 0; i < text.size(); ++i)
-        text[text.size() - 1 - i] = kDigits[(value >> (4U * i)) & 0xFU];
+        text[text.size() - 1 - i] = kDigits[(std::uint32_t{value} >> (4U * i)) & 0xFU];
     return text;
 }
 

@@ -86,13 +86,12 @@ TEST(Console, HeadlessDoesTheJobOnAMachineThatCannotReachThePublishedAttitude) {
 }
 
 TEST(Console, HeadlessDoesTheJobOnAForeignController) {
-    constexpr int kAttempts =
-        3; // again when the machine is too busy even for the controller to keep its times
-    for (int attempt = 1; attempt <= kAttempts; ++attempt) {
+    constexpr int kTries = 3; // again when the machine is too busy even for the controller to keep its times
+    for (int attempt = 1; attempt <= kTries; ++attempt) {
         const Scratch scratch;
         ForeignController controller(scratch.path("port"), {}, {});
         const Outcome outcome = headless(scratch, {"--port", scratch.path("port")});
-        if (outcome.status != 0 && controller.starved() && attempt < kAttempts)
+        if (outcome.status != 0 && controller.starved() && attempt < kTries)
             continue;
         expectJobDone(outcome, scratch);
         EXPECT_THAT(controller.violations(), IsEmpty());
