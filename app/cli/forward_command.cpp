@@ -6,15 +6,25 @@
 #include "app/cli/number_rows.h"
 #include "app/cli/solver_choice.h"
 #include "core/geometry/input_error.h"
+#include "core/geometry/number_text.h"
 #include "core/geometry/units.h"
+#include "core/kinematics/pose_accuracy.h"
 #include "core/record/unit_text.h"
 
+#include <cmath>
 #include <cstdio>
 #include <string>
+#include <utility>
 
 namespace hexapose {
 
 namespace {
+
+constexpr const char* kColumns = "x_mm,y_mm,z_mm,alpha_deg,beta_deg,gamma_deg,status,iterations,residual_mm";
+constexpr const char* kDetails = ",position_bound_mm,rotation_bound_deg,condition,smallest_singular_value,x_"
+                                 "sigma_mm,y_sigma_mm,z_sigma_mm,"
+                                 "alpha_sigma_deg,beta_sigma_deg,gamma_sigma_deg";
+constexpr int kDetailCount = 10;
 
 void appendRow(std::string& out, const ForwardResult& result) {
     if (result.hasPose()) {
@@ -29,7 +39,27 @@ void appendRow(std::string& out, const ForwardResult& result) {
     out += std::string(toWord(result.status)) + "," + std::to_string(result.iterations) + ",";
     if (result.hasPose())
         out += mmText(result.residual);
-    out += "\n";
+}
+
+/// How far the exact pose can be, and what the resolution of the lengths does. Empty where nothing can be
+/// said.
+void appendDetails(std::string& out, const PlatformGeometry& platform, const ForwardResult& result,
+                   double resolution) {
+    if (!result.hasPose()) {
+        out.append(kDetailCount, ',');
+        return;
+    }
+    const auto append = [&out](double value, std::string text) {
+        out += "," + (std::isfinite(value) ? std::move(text) : std::string());
+    };
+    const PoseAccuracy accuracy = poseAccuracy(platform, result.pose, result.residual);
+    append(accuracy.offsetBound, mmText(accuracy.offsetBound));
+    append(accuracy.angleBound, degText(accuracy.angleBound));
+    append(accuracy.condition, formatNumber(accuracy.condition));
+    append(accuracy.smallestSingularValue, formatNumber(accuracy.smallestSingularValue));
+    const PoseVector sigma = roundingEffect(platform, result.pose, resolution).sigma;
+    for (int k = 0; k < 6; ++k)
+        append(sigma[k], k < 3 ? mmText(sigma[k]) : degText(sigma[k]));
 }
 
 } // namespace
@@ -41,11 +71,15 @@ int forwardCommand(const QStringList& words) {
          {"model", "FILE", "Regression model (default: the platform's own, trained on first use)."},
          {"start", "home|previous", "Where iteration begins (default: home)."},
          {"tolerance-mm", "T", "Largest residual of a solution, mm."},
-         {"max-iterations", "N", "Most Newton iterations (default: 50)."}},
+         {"max-iterations", "N", "Most Newton iterations (default: 50)."},
+         {"details", "", "Also bounds of the error, condition, and standard deviations."},
+         {"resolution-mm", "R", "Resolution of the lengths, for --details (default: 0.1)."}},
         words);
     const std::string start = arguments.text("start", "home");
     if (start != "home" && start != "previous")
         throw InputError("--start", "'" + start + "' is neither home nor previous");
+    const bool details = arguments.has("details");
+    const double resolution = metresFromMm(arguments.positive("resolution-mm", 0.1));
     const PlatformGeometry platform = arguments.platform();
     const CsvTable table = readCsv(arguments.operand(0));
     const NumberRows rows(table, kLengthColumns);
@@ -53,7 +87,8 @@ int forwardCommand(const QStringList& words) {
 
     bool allOk = true;
     Pose from;
-    std::string out = "x_mm,y_mm,z_mm,alpha_deg,beta_deg,gamma_deg,status,iterations,residual_mm\n";
+    std::string out = kColumns;
+    out += details ? std::string(kDetails) + "\n" : "\n";
     for (const CsvTable::Row& row : everyRow(table)) {
         ForwardResult result; // invalid-input
         if (const auto lengths = rows.read(row))
@@ -62,6 +97,9 @@ int forwardCommand(const QStringList& words) {
             from = result.pose;
         allOk = allOk && result.isUsable();
         appendRow(out, result);
+        if (details)
+            appendDetails(out, platform, result, resolution);
+        out += "\n";
     }
     std::fwrite(out.data(), 1, out.size(), stdout);
     return allOk ? kExitDone : kExitSomeFailed;

@@ -3,9 +3,7 @@
 
 #include "core/report/error_report.h"
 
-#include "core/kinematics/jacobian.h"
-
-#include <Eigen/LU>
+#include "core/kinematics/pose_accuracy.h"
 
 #include <cmath>
 #include <limits>
@@ -25,15 +23,6 @@ ForwardResult solve(const ForwardSolver& solver, const SettledSample& sample) {
         return fromHome;
     const ForwardResult fromTarget = solver.solve(sample.meanLengths, sample.target);
     return fromTarget.isUsable() ? fromTarget : fromHome;
-}
-
-/// What rounding every length to r does to the pose, to first order: dX = J^-1 dL.
-void predict(const PlatformGeometry& geometry, double resolution, ErrorRow& row) {
-    const Eigen::FullPivLU<Jacobian> lu(analyticJacobian(geometry, row.sample.target));
-    const Jacobian inverse = lu.isInvertible() ? Jacobian(lu.inverse())
-                                               : Jacobian::Constant(std::numeric_limits<double>::infinity());
-    row.predictedBound = inverse.cwiseAbs().rowwise().sum() * (resolution / 2.0);
-    row.predictedSigma = inverse.rowwise().norm() * (resolution / std::sqrt(12.0));
 }
 
 ErrorStatistics statisticsOf(const std::vector<ErrorRow>& rows) {
@@ -67,7 +56,9 @@ ErrorReport makeErrorReport(const PlatformGeometry& geometry, const ForwardSolve
         row.number = static_cast<int>(report.rows.size()) + 1;
         row.sample = sample;
         row.solution = solve(solver, sample);
-        predict(geometry, resolution, row);
+        const RoundingEffect rounding = roundingEffect(geometry, row.sample.target, resolution);
+        row.predictedBound = rounding.bound;
+        row.predictedSigma = rounding.sigma;
         if (row.solution.isUsable()) {
             row.error = row.solution.pose.toVector() - sample.target.toVector();
             row.error.tail<3>() = row.error.tail<3>().unaryExpr(&wrapped).eval();

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: MIT
+#include "core/kinematics/pose_accuracy.h"
+
+#include "core/kinematics/inverse_kinematics.h"
+#include "core/kinematics/jacobian.h"
+#include "core/kinematics/singularity.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hexapose {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// No leg may become shorter than this part of itself within the bound, as the second derivative grows then.
+constexpr double kLeastLength = 0.9;
+/// Roundings on the way to a length, and to an angle, in units of the last digit.
+constexpr double kRoundings = 16.0 * std::numeric_limits<double>::epsilon();
+
+} // namespace
+
+RoundingEffect roundingEffect(const PlatformGeometry& geometry, const Pose& pose, double resolution) {
+    const Eigen::FullPivLU<Jacobian> lu(analyticJacobian(geometry, pose));
+    const Jacobian inverse = lu.isInvertible() ? Jacobian(lu.inverse()) : Jacobian::Constant(kInfinity);
+    return {inverse.cwiseAbs().rowwise().sum() * (resolution / 2.0),
+            inverse.rowwise().norm() * (resolution / std::sqrt(12.0))};
+}
+
+PoseAccuracy poseAccuracy(const PlatformGeometry& geometry, const Pose& pose, double residual) {
+    const SingularityMeasure measure = singularityMeasure(geometry, pose);
+    PoseAccuracy accuracy{measure.smallestSingularValue, measure.condition, kInfinity, kInfinity};
+
+    // As in the scaled Jacobian: arms about the centroid of the platform joints, lengths over the machine's size.
+    const double size = geometry.size();
+    Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
+    for (const Leg& leg : geometry.legs)
+        centroid += leg.p_PB_P / kLegCount;
+    double sum = 0.0, reach = geometry.p_OP_home_B.norm() + pose.offset.norm();
+    for (const Leg& leg : geometry.legs) {
+        sum += (leg.p_PB_P - centroid).squaredNorm();
+        reach = std::max({reach, leg.p_OA_B.norm(), leg.p_PB_P.norm()});
+    }
+    const double spread = std::sqrt(sum / kLegCount) / size;
+    const LegLengths lengths = legLengths(geometry, pose) / size;
+    const double sigma = measure.smallestSingularValue;
+    double second = 0.0, mostMotion = kInfinity;
+    for (int i = 0; i < kLegCount; ++i) {
+        const double arm = (geometry.legs[static_cast<std::size_t>(i)].p_PB_P - centroid).norm() / size;
+        const double speed2 = 1.0 + (arm / spread) * (arm / spread); // of the joint, for a motion of unit extent
+        const double k = speed2 / (kLeastLength * lengths[i]) + arm / (spread * spread);
+        second += k * k;
+        mostMotion = std::min(mostMotion, (1.0 - kLeastLength) * lengths[i] / std::sqrt(speed2));
+    }
+    second = std::sqrt(second);
+    const double error = (residual + kRoundings * std::sqrt(6.0) * reach) / size;
+    const double discriminant = sigma * sigma - 2.0 * second * error;
+    if (!(discriminant > 0.0))
+        return accuracy;
+    const double motion = 2.0 * error / (sigma + std::sqrt(discriminant));
+    if (!(motion <= mostMotion))
+        return accuracy;
+    const double lever = centroid.norm() / size / spread;
+    accuracy.offsetBound = motion * std::sqrt(1.0 + lever * lever) * size + kRoundings * reach;
+    accuracy.angleBound = motion / spread + kRoundings;
+    return accuracy;
+}
+
+} // namespace hexapose
