@@ -5,6 +5,7 @@
 #include "core/geometry/platform_geometry.h"
 #include "core/geometry/pose.h"
 #include "core/kinematics/linear_system.h"
+#include "core/kinematics/newton_lanes.h"
 
 #include <Eigen/Core>
 
@@ -57,6 +58,9 @@ public:
     /// Sign of the Jacobian's determinant, which tells the side of the singular surface; 0 where the smallest
     /// singular value is below the floor.
     double branchSign(const Evaluation& at, double singularValueFloor) const noexcept;
+
+    /// The same machine for the vector code, with the box about home in which it need not ask for the side.
+    LaneMachine laneMachine(double homeDeterminant) const;
 
     /// Whether two of these lengths break a triangle inequality: | |d_i| - |d_j| | <= |A_i A_j| + |B_i B_j|.
     bool breaksTriangle(const Legs& target, double slack) const noexcept;

@@ -4,6 +4,7 @@
 
 #include "core/kinematics/solver_checks.h"
 
+#include <optional>
 #include <utility>
 
 namespace hexapose {
@@ -15,27 +16,16 @@ constexpr double kLengthSlack = 0.02;   // of the range of each length met in tr
 constexpr double kPoseSlack = 0.05;     // of the range of each coordinate, beside the model's own error
 constexpr double kResidualFactor = 2.0; // of the largest residual in training
 
-struct Regression {
-    Pose pose;
-    double residual;
-    bool inside;
-};
-
-Regression regress(const PlatformGeometry& geometry, const PolynomialModel& model,
-                   const LegLengths& lengths) noexcept {
-    const PoseVector coordinates = model.evaluate(lengths);
-    const Pose pose = Pose::fromVector(coordinates);
-    const double residual = legResidual(geometry, lengths, pose);
+/// Whether lengths and the pose that the regression gives lie in what it was trained on.
+bool isInside(const PolynomialModel& model, const LegLengths& lengths, const PoseVector& pose) noexcept {
     const LegVector slack = kLengthSlack * (model.maxLength - model.minLength);
     PoseVector box;
     box << Eigen::Vector3d::Constant(model.spec.offsetRange),
         Eigen::Vector3d::Constant(model.spec.angleRange);
     box = (1.0 + kPoseSlack) * box + model.maxError;
-    const bool inside = ((lengths - model.minLength + slack).array() >= 0.0).all() &&
-                        ((model.maxLength - lengths + slack).array() >= 0.0).all() &&
-                        ((box - coordinates.cwiseAbs()).array() >= 0.0).all() &&
-                        residual <= kResidualFactor * model.maxResidual;
-    return {pose, residual, inside};
+    return ((lengths - model.minLength + slack).array() >= 0.0).all() &&
+           ((model.maxLength - lengths + slack).array() >= 0.0).all() &&
+           ((box - pose.cwiseAbs()).array() >= 0.0).all();
 }
 
 std::string methodName(const PolynomialModel& model, const char* ending) {
@@ -50,11 +40,15 @@ PolynomialRegression::PolynomialRegression(const PlatformGeometry& geometry, Pol
 ForwardResult PolynomialRegression::solve(const LegLengths& lengths, const Pose&) const noexcept {
     if (!areLengths(lengths))
         return withoutPose(SolveStatus::InvalidInput, 0, kNoNumber);
-    const Regression found = regress(m_geometry, m_model, lengths);
-    if (!found.pose.isFinite()) // lengths so far out that the polynomial overflows
+    const PoseVector found = m_model.evaluate(lengths);
+    if (!found.allFinite()) // lengths so far out that the polynomial overflows
         return withoutPose(SolveStatus::OutsideModel, 0, kNoNumber);
-    return {normalised(found.pose), found.inside ? SolveStatus::Converged : SolveStatus::OutsideModel, 0,
-            found.residual, found.inside};
+    const Pose pose = Pose::fromVector(found);
+    const double residual = legResidual(m_geometry, lengths, pose);
+    const bool inside =
+        isInside(m_model, lengths, found) && residual <= kResidualFactor * m_model.maxResidual;
+    return {normalised(pose), inside ? SolveStatus::Converged : SolveStatus::OutsideModel, 0, residual,
+            inside};
 }
 
 MprNewton::MprNewton(const PlatformGeometry& geometry, PolynomialModel model, const NewtonOptions& options)
@@ -64,21 +58,29 @@ MprNewton::MprNewton(const PlatformGeometry& geometry, PolynomialModel model, co
 ForwardResult MprNewton::solve(const LegLengths& lengths, const Pose& start) const noexcept {
     if (!areLengths(lengths) || !start.isFinite())
         return withoutPose(SolveStatus::InvalidInput, 0, kNoNumber);
-    const Regression found = regress(m_geometry, m_model, lengths);
+    const PoseVector found = m_model.evaluate(lengths);
     ForwardResult result;
     int iterations = 0;
     const auto solvedFrom = [&](const Pose& from) {
-        const ForwardResult attempt = m_newton.solve(lengths, from);
+        double startResidual = 0.0;
+        const ForwardResult attempt = m_newton.solve(lengths, from, startResidual);
         iterations += attempt.iterations;
         // The first failure stays the answer unless a later start succeeds.
         if (attempt.status == SolveStatus::Converged || iterations == attempt.iterations)
             result = attempt;
-        return attempt.status == SolveStatus::Converged;
+        return attempt.status == SolveStatus::Converged ? std::optional(startResidual) : std::nullopt;
     };
-    if ((found.inside && solvedFrom(found.pose)) || solvedFrom(start) || solvedFrom(Pose{})) {
-        if (!found.inside)
-            result.status = SolveStatus::OutsideModel;
+    bool inside = isInside(m_model, lengths, found);
+    if (inside) {
+        const auto residual = solvedFrom(Pose::fromVector(found));
+        inside = residual && *residual <= kResidualFactor * m_model.maxResidual;
+        if (inside) {
+            result.iterations = iterations;
+            return result;
+        }
     }
+    if (solvedFrom(start) || solvedFrom(Pose{}))
+        result.status = inside ? SolveStatus::Converged : SolveStatus::OutsideModel;
     result.iterations = iterations;
     return result;
 }

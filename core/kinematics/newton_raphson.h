@@ -5,6 +5,9 @@
 #include "core/geometry/platform_geometry.h"
 #include "core/kinematics/forward_solver.h"
 #include "core/kinematics/leg_equations.h"
+#include "core/kinematics/newton_iteration.h"
+
+#include <span>
 
 namespace hexapose {
 
@@ -25,25 +28,44 @@ double homeDeterminant(const PlatformGeometry& geometry);
 inline constexpr double kSingularValueFloor = 1e-4;
 
 /// Newton-Raphson with the exact derivative (Eq. 14 on rotations instead of Euler angles, so that gimbal lock
-/// is no obstacle), the stop test before the update. Quadratic. A step that makes the residual worse is
-/// shortened. Status: Converged; IterationLimit; Singular when the Jacobian cannot be inverted at the pose
-/// found or at home; NoSolution when the lengths break a triangle inequality or the residual stays at a
-/// positive minimum, from `start` and from home; InvalidInput; OtherBranch when det J has not home's sign.
-/// The pose is NaN where the status has none.
+/// is no obstacle), the stop test before the update. Quadratic. Plain steps first, on the processor's vector
+/// unit; where they go astray, steps that are shortened when they make the residual worse; where those end on
+/// another side, the pose followed along the straight way of the legs.
+///
+/// Converged says that the Jacobian's determinant has home's sign and that the pose is joined to home (or to
+/// a `start` on home's side) by a way on which it keeps it: the straight one, or that of the legs. A pose of
+/// these lengths of which that cannot be said is OtherBranch. Others: IterationLimit; Singular when the
+/// Jacobian cannot be inverted at the pose found or at home; NoSolution when the lengths break a triangle
+/// inequality or the residual stays at a positive minimum from `start`, from home and from home turned about
+/// each axis; InvalidInput. The pose is NaN where the status has none. Iterations are those of all attempts,
+/// and only one run is bound by the limit.
 class NewtonRaphson final : public ForwardSolver {
 public:
     NewtonRaphson(const PlatformGeometry& geometry, const NewtonOptions& options);
     ForwardResult solve(const LegLengths& lengths, const Pose& start) const noexcept override;
+    /// The same, and the residual at `start`, m, which the first step finds by the way.
+    ForwardResult solve(const LegLengths& lengths, const Pose& start, double& startResidual) const noexcept;
     std::string_view name() const noexcept override { return "newton"; }
 
     /// The tolerance in force, m.
     double tolerance() const noexcept { return m_tolerance; }
 
+    /// solve() from home of many lengths. `results` is as long as `lengths`; threads: 0 for one a core.
+    void solveAll(std::span<const LegLengths> lengths, std::span<ForwardResult> results,
+                  unsigned threads = 1) const;
+
 private:
+    ForwardResult solveCarefully(const LegLengths& lengths, const Pose& start) const noexcept;
+    ForwardResult judged(const NewtonRun& run, int iterations, const Placement& start,
+                         const LegEquations::Legs& target) const noexcept;
+    bool isNear(const Pose& pose, double partOfHome) const noexcept;
+    void solveRange(std::span<const LegLengths> lengths, std::span<ForwardResult> results) const noexcept;
+
     LegEquations m_equations;
     double m_tolerance;
     int m_maxIterations;
     double m_homeDeterminant; ///< 0: singular at home
+    LaneMachine m_lanes;
 };
 
 /// The iteration that the paper's numbers come from, only to reproduce them: joint vectors unrotated in J,

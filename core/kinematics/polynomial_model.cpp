@@ -7,7 +7,7 @@
 #include "core/geometry/number_text.h"
 #include "core/geometry/units.h"
 #include "core/kinematics/newton_raphson.h"
-#include "core/kinematics/polynomial_basis.h"
+#include "core/kinematics/polynomial_lanes.h"
 #include "core/kinematics/pose_samples.h"
 #include "core/kinematics/singularity.h"
 
@@ -25,30 +25,6 @@ constexpr double kTrainableSingularValue = 0.05;
 constexpr int kProbes = 2000;
 constexpr std::uint64_t kProbeSeed = 20230382;
 constexpr int kMostHalvings = 20;
-
-/// The polynomial. Four partial sums, so that one addition does not wait for the one before.
-template <int Degree>
-PoseVector sumOfMonomials(const LegVector& u, const double* coefficients) noexcept {
-    constexpr std::size_t kCount = static_cast<std::size_t>(monomialCount(Degree));
-    std::array<double, kCount> monomials;
-    double* const m = monomials.data();
-    m[0] = 1.0;
-    forEachMonomialRun(Degree, [&](int variable, int parent, int child, int count) {
-        const double factor = u[variable];
-        for (int i = 0; i < count; ++i)
-            m[child + i] = factor * m[parent + i];
-    });
-    std::array<PoseVector, 4> sums{PoseVector::Zero(), PoseVector::Zero(), PoseVector::Zero(),
-                                   PoseVector::Zero()};
-    std::size_t i = 0;
-    for (; i + 4 <= kCount; i += 4)
-        for (std::size_t k = 0; k < 4; ++k)
-            sums[k] += m[i + k] * PoseVector::Map(coefficients + 6 * (i + k));
-    if constexpr (kCount % 4 != 0)
-        for (; i < kCount; ++i)
-            sums[0] += m[i] * PoseVector::Map(coefficients + 6 * i);
-    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
-}
 
 /// Two digits: a range that a person would choose.
 double rounded(double value) {
@@ -73,16 +49,9 @@ bool isTrainable(const PlatformGeometry& geometry, const TrainingSpec& spec, dou
 
 PoseVector PolynomialModel::evaluate(const LegLengths& lengths) const noexcept {
     const LegVector u = (lengths - lengthCentre).cwiseQuotient(lengthScale);
-    switch (spec.degree) {
-    case 1:
-        return sumOfMonomials<1>(u, coefficients.data());
-    case 2:
-        return sumOfMonomials<2>(u, coefficients.data());
-    case 3:
-        return sumOfMonomials<3>(u, coefficients.data());
-    default:
-        return sumOfMonomials<4>(u, coefficients.data());
-    }
+    PoseVector pose;
+    evaluatePolynomials(spec.degree, u.data(), coefficients.data(), pose.data());
+    return pose;
 }
 
 std::string PolynomialModel::fingerprint() const {

@@ -19,7 +19,8 @@ TEST(PoseBook, KeepsPosesForEachMachineApart) {
     const Pose pose{{0.012, -0.004, 0.0403}, {0.0, 0.0, radiansFromDeg(5.0)}};
     {
         QSettings settings(file, QSettings::IniFormat);
-        saveNamedPoses(settings, "one", {{QStringLiteral("load, \"left\""), pose}, {QStringLiteral("b"), Pose{}}});
+        saveNamedPoses(settings, "one",
+                       {{QStringLiteral("load, \"left\""), pose}, {QStringLiteral("b"), Pose{}}});
         saveNamedPoses(settings, "other", {{QStringLiteral("测试"), Pose{}}});
         saveNamedPoses(settings, "one", {{QStringLiteral("load, \"left\""), pose}});
     }

@@ -1,33 +1,38 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: MIT
-// Time of one forward solution, in ns, on one thread. Cold: start at home. Set 1: +-10 mm +-10 deg; set 2:
-// +-40 mm
-// +-40 deg. "warm": start 0.1 mm and 0.1 deg beside the solution. All to a leg residual of 1e-10 m.
+// Time of one forward solution. Cold: start at home. Set 1: +-10 mm +-10 deg; set 2: +-40 mm +-40 deg. Warm:
+// start 0.1 mm and 0.1 deg beside the solution, in each coordinate. All to a leg residual of 1e-10 m.
 #include "core/geometry/geometry_file.h"
 #include "core/geometry/units.h"
+#include "core/kinematics/inverse_kinematics.h"
 #include "core/kinematics/mpr_newton.h"
 #include "core/kinematics/polynomial_training.h"
+#include "ratio_report.h"
 #include "yardstick.h"
 
-#include <Eigen/Geometry>
 #include <benchmark/benchmark.h>
 
+#include <cstdio>
+#include <memory>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace {
 
 using namespace hexapose;
+using namespace hexapose::bench;
 
 constexpr double kTolerance = 1e-10;
 constexpr int kPoses = 4096;
 
-struct Job {
-    LegLengths lengths;
-    Pose start;
-};
-
 enum class Start { Home, Near };
+
+struct Jobs {
+    std::string name;
+    std::vector<LegLengths> lengths;
+    std::vector<Pose> starts;
+};
 
 const PlatformGeometry& laboratory() {
     static const PlatformGeometry geometry =
@@ -35,7 +40,7 @@ const PlatformGeometry& laboratory() {
     return geometry;
 }
 
-std::vector<Job> jobs(int set, Start start) {
+Jobs makeJobs(const std::string& name, int set, Start start) {
     std::mt19937_64 random(7);
     const auto draw = [&random](double mm, double deg) {
         PoseVector v;
@@ -45,93 +50,133 @@ std::vector<Job> jobs(int set, Start start) {
         return v;
     };
     const double range = set == 1 ? 10.0 : 40.0;
-    std::vector<Job> result(kPoses);
-    for (Job& job : result) {
+    Jobs jobs{name, {}, {}};
+    for (int i = 0; i < kPoses; ++i) {
         const PoseVector truth = draw(range, range);
-        job.lengths = legLengths(laboratory(), Pose::fromVector(truth));
-        if (start == Start::Near)
-            job.start = Pose::fromVector(truth + draw(0.1, 0.1));
+        jobs.lengths.push_back(legLengths(laboratory(), Pose::fromVector(truth)));
+        jobs.starts.push_back(start == Start::Near ? Pose::fromVector(truth + draw(0.1, 0.1)) : Pose{});
     }
-    return result;
+    return jobs;
 }
 
-const PolynomialModel& model(int degree) {
-    static std::vector<PolynomialModel> models(5);
-    PolynomialModel& kept = models[static_cast<std::size_t>(degree)];
-    if (kept.coefficients.size() == 0)
-        kept = *trainModel(laboratory(), defaultTrainingSpec(laboratory(), degree));
-    return kept;
+PolynomialModel model(int degree) {
+    return *trainModel(laboratory(), defaultTrainingSpec(laboratory(), degree));
 }
 
-/// Runs solveOne(job) -> iterations over the jobs, one a benchmark iteration.
+/// Runs solveOne(lengths, start) -> iterations over the jobs, one a benchmark iteration.
 template <class Solve>
-void measure(benchmark::State& state, const std::vector<Job>& work, Solve&& solveOne) {
-    std::size_t next = 0;
-    std::int64_t iterations = 0;
-    for (auto _ : state) {
-        iterations += solveOne(work[next]);
-        next = (next + 1) % work.size();
-    }
-    state.counters["iterations"] =
-        benchmark::Counter(static_cast<double>(iterations), benchmark::Counter::kAvgIterations);
+void add(const Jobs& jobs, const std::string& what, Solve solveOne) {
+    benchmark::RegisterBenchmark(
+        (jobs.name + " / " + what).c_str(), [&jobs, solveOne](benchmark::State& state) {
+            std::size_t next = 0;
+            std::int64_t iterations = 0;
+            for (auto _ : state) {
+                iterations += solveOne(jobs.lengths[next], jobs.starts[next]);
+                next = (next + 1) % kPoses;
+            }
+            state.counters["iterations"] =
+                benchmark::Counter(static_cast<double>(iterations), benchmark::Counter::kAvgIterations);
+        });
 }
 
-void solverBench(benchmark::State& state, const ForwardSolver& solver, int set, Start start) {
-    measure(state, jobs(set, start), [&solver](const Job& job) {
-        const ForwardResult result = solver.solve(job.lengths, job.start);
-        benchmark::DoNotOptimize(result.pose);
+void addSolver(const Jobs& jobs, const std::string& what, std::shared_ptr<const ForwardSolver> solver) {
+    add(jobs, what, [solver](const LegLengths& lengths, const Pose& start) {
+        const ForwardResult result = solver->solve(lengths, start);
+        benchmark::DoNotOptimize(result.pose.offset[0]);
         return result.iterations;
     });
 }
 
-void yardstick(benchmark::State& state, int set, Start start) {
-    measure(state, jobs(set, start), [](const Job& job) {
-        Pose pose = job.start;
-        const int iterations = bench::plainNewton(laboratory(), job.lengths, pose, kTolerance);
-        benchmark::DoNotOptimize(pose);
-        return iterations;
-    });
+void addYardsticks(const Jobs& jobs) {
+    static const YardstickMachine machine = yardstickMachine(laboratory());
+    const auto one = [](auto newton) {
+        return [newton](const LegLengths& lengths, const Pose& start) {
+            PoseVector pose = start.toVector();
+            const int iterations = newton(machine, lengths.data(), pose.data(), kTolerance);
+            benchmark::DoNotOptimize(pose[0]);
+            return iterations;
+        };
+    };
+    add(jobs, "yardstick", one(&plainNewton));
+    add(jobs, "yardstick, this processor", one(&plainNewtonNative));
 }
 
-void newton(benchmark::State& state, int set, Start start) {
-    solverBench(state, NewtonRaphson(laboratory(), {kTolerance, 50}), set, start);
+void addBatch(const Jobs& jobs, std::shared_ptr<const NewtonRaphson> newton) {
+    benchmark::RegisterBenchmark((jobs.name + " / Newton, batch").c_str(),
+                                 [&jobs, newton](benchmark::State& state) {
+                                     std::vector<ForwardResult> results(kPoses);
+                                     for (auto _ : state) {
+                                         newton->solveAll(jobs.lengths, results);
+                                         benchmark::DoNotOptimize(results.data());
+                                     }
+                                     state.counters["poses"] = kPoses;
+                                 });
 }
 
-void asPublished(benchmark::State& state, int set) {
-    solverBench(state, NewtonAsPublished(laboratory(), {kTolerance, 50}), set, Start::Home);
+void addRegression(const Jobs& jobs, int degree) {
+    add(jobs, "MPR" + std::to_string(degree) + " alone",
+        [fitted = model(degree)](const LegLengths& lengths, const Pose&) {
+            benchmark::DoNotOptimize(fitted.evaluate(lengths)[0]);
+            return 0;
+        });
 }
 
-void mprNewton(benchmark::State& state, int degree, int set) {
-    solverBench(state, MprNewton(laboratory(), model(degree), {kTolerance, 50}), set, Start::Home);
+void addTraining() {
+    benchmark::RegisterBenchmark("training, 100,000 samples, degree 3, all cores", [](benchmark::State&
+                                                                                          state) {
+        const TrainingSpec spec = defaultTrainingSpec(laboratory(), 3);
+        for (auto _ : state)
+            benchmark::DoNotOptimize(trainModel(laboratory(), spec)->coefficients.data());
+    })->UseRealTime();
 }
-
-void regression(benchmark::State& state, int degree) {
-    const PolynomialModel& fitted = model(degree);
-    measure(state, jobs(2, Start::Home), [&fitted](const Job& job) {
-        benchmark::DoNotOptimize(fitted.evaluate(job.lengths));
-        return 0;
-    });
-}
-
-void training(benchmark::State& state, int degree) {
-    const TrainingSpec spec = defaultTrainingSpec(laboratory(), degree);
-    for (auto _ : state)
-        benchmark::DoNotOptimize(trainModel(laboratory(), spec)->coefficients.data());
-}
-
-BENCHMARK_CAPTURE(yardstick, cold_set1, 1, Start::Home);
-BENCHMARK_CAPTURE(yardstick, cold_set2, 2, Start::Home);
-BENCHMARK_CAPTURE(yardstick, warm, 2, Start::Near);
-BENCHMARK_CAPTURE(newton, cold_set1, 1, Start::Home);
-BENCHMARK_CAPTURE(newton, cold_set2, 2, Start::Home);
-BENCHMARK_CAPTURE(newton, warm, 2, Start::Near);
-BENCHMARK_CAPTURE(mprNewton, mpr2_nr_set2, 2, 2);
-BENCHMARK_CAPTURE(mprNewton, mpr3_nr_set2, 3, 2);
-BENCHMARK_CAPTURE(asPublished, cold_set2, 2);
-BENCHMARK_CAPTURE(regression, mpr2, 2);
-BENCHMARK_CAPTURE(regression, mpr3, 3);
-BENCHMARK_CAPTURE(training, samples_100000_degree3, 3)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 } // namespace
 
-BENCHMARK_MAIN();
+hexapose::bench::YardstickMachine hexapose::bench::yardstickMachine(const PlatformGeometry& geometry) {
+    YardstickMachine machine{};
+    for (std::size_t i = 0; i < kLegCount; ++i)
+        for (int k = 0; k < 3; ++k) {
+            machine.base[i][k] = geometry.legs[i].p_OA_B[k];
+            machine.joint[i][k] = geometry.legs[i].p_PB_P[k];
+            machine.home[k] = geometry.p_OP_home_B[k];
+        }
+    return machine;
+}
+
+int main(int argc, char** argv) {
+    // Short and often, in random order: the machine may be shared. Options given by hand come later and win.
+    std::vector<std::string> words{argv[0], "--benchmark_repetitions=25", "--benchmark_min_time=0.01",
+                                   "--benchmark_enable_random_interleaving=true"};
+    words.insert(words.end(), argv + 1, argv + argc);
+    std::vector<char*> arguments;
+    for (std::string& word : words)
+        arguments.push_back(word.data());
+    int count = static_cast<int>(arguments.size());
+    benchmark::Initialize(&count, arguments.data());
+    if (benchmark::ReportUnrecognizedArguments(count, arguments.data()))
+        return 2;
+
+    const Jobs sets[] = {makeJobs("cold, set 1", 1, Start::Home), makeJobs("cold, set 2", 2, Start::Home),
+                         makeJobs("warm", 2, Start::Near)};
+    const NewtonOptions options{kTolerance, 50};
+    const auto newton = std::make_shared<const NewtonRaphson>(laboratory(), options);
+    const auto mpr2 = std::make_shared<const MprNewton>(laboratory(), model(2), options);
+    const auto mpr3 = std::make_shared<const MprNewton>(laboratory(), model(3), options);
+    for (const Jobs& jobs : sets) {
+        addYardsticks(jobs);
+        addSolver(jobs, "Newton", newton);
+    }
+    for (const Jobs& jobs : {std::cref(sets[0]), std::cref(sets[1])}) {
+        addSolver(jobs, "MPR2-NR", mpr2);
+        addSolver(jobs, "MPR3-NR", mpr3);
+        addBatch(jobs, newton);
+    }
+    addSolver(sets[1], "Newton as published",
+              std::make_shared<const NewtonAsPublished>(laboratory(), options));
+    for (const int degree : {2, 3, 4})
+        addRegression(sets[1], degree);
+    addTraining();
+    RatioReport report;
+    benchmark::RunSpecifiedBenchmarks(&report);
+    return 0;
+}

@@ -2,40 +2,25 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/kinematics/inverse_kinematics.h"
-#include "core/kinematics/jacobian.h"
-
-#include <Eigen/LU>
+#include "core/geometry/leg_lengths.h"
+#include "core/geometry/platform_geometry.h"
 
 namespace hexapose::bench {
 
+/// A platform and a pose as plain numbers: the yardsticks share nothing with what they are beside.
+struct YardstickMachine {
+    double base[kLegCount][3];
+    double joint[kLegCount][3];
+    double home[3];
+};
+YardstickMachine yardstickMachine(const PlatformGeometry& geometry);
+
 /// What anybody would write with Eigen in an afternoon: Newton on x y z alpha beta gamma with the Euler-rate
 /// matrix, PartialPivLU, fixed sizes; no guard, no branch, no status. Every figure is to be read against it.
-inline int plainNewton(const PlatformGeometry& geometry, const LegLengths& lengths, Pose& pose,
-                       double tolerance) {
-    PoseVector x = pose.toVector();
-    for (int iteration = 0; iteration < 50; ++iteration) {
-        const Eigen::Matrix3d R = rotationMatrix({x[3], x[4], x[5]});
-        const Eigen::Vector3d origin = geometry.p_OP_home_B + x.head<3>();
-        Jacobian J;
-        LegVector error;
-        for (int i = 0; i < kLegCount; ++i) {
-            const Leg& leg = geometry.legs[static_cast<std::size_t>(i)];
-            const Eigen::Vector3d arm = R * leg.p_PB_P;
-            const Eigen::Vector3d d = origin + arm - leg.p_OA_B;
-            const double length = d.norm();
-            const Eigen::Vector3d n = d / length;
-            J.row(i) << n.transpose(), arm.cross(n).transpose();
-            error[i] = lengths[i] - length;
-        }
-        if (error.norm() <= tolerance) {
-            pose = Pose::fromVector(x);
-            return iteration;
-        }
-        J.rightCols<3>() = (J.rightCols<3>() * eulerRateMatrix({x[3], x[4], x[5]})).eval();
-        x += Eigen::PartialPivLU<Jacobian>(J).solve(error);
-    }
-    return -1;
-}
+/// pose: the start, then the result. Returns the iterations, -1 when there are too many.
+int plainNewton(const YardstickMachine& machine, const double* lengths, double* pose, double tolerance);
+
+/// The same source, compiled for this very processor: what one gets who gives up running anywhere else.
+int plainNewtonNative(const YardstickMachine& machine, const double* lengths, double* pose, double tolerance);
 
 } // namespace hexapose::bench

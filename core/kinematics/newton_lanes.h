@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/geometry/leg_lengths.h"
+#include "core/geometry/pose.h"
+
+#include <array>
+#include <cstddef>
+
+namespace hexapose {
+
+/// What the vector code knows of a machine: plain numbers, lengths in machine sizes, legs in the order of
+/// elimination. The legs are split in two triples; the first is the one whose leg vectors at home span the
+/// largest volume, so that their 3x3 block can be inverted without a search for pivots.
+struct LaneMachine {
+    std::array<int, kLegCount> order{}; ///< place -> leg
+    std::array<std::array<double, kLegCount>, 3> base{}, joint{};
+    std::array<double, kLegCount> homeLength{};
+    std::array<std::array<double, kLegCount>, kLegCount> homeInverse{}; ///< of the Jacobian at home
+    std::array<double, 3> homeOrigin{};  ///< platform origin at home, base frame
+    std::array<double, 3> centroidInP{}; ///< of the platform joints, platform frame
+    double size = 1.0;                   ///< m
+    double spread = 1.0;
+    double determinantScale =
+        0.0; ///< from the product of both blocks to det J; has home's sign, so > 0 is home's side
+    double homeDeterminant = 0.0; ///< that product at home
+    /// Within this box about home, m and rad, who finds at least this |det J| is joined to home by
+    /// a straight way on one side of the singular surface; rays through the box were looked at beforehand.
+    double offsetBox = 0.0, angleBox = 0.0;
+    double leastDeterminant = 0.0; ///< of the Jacobian, without sign
+    double determinantSlope = 0.0; ///< most that it changed on those rays, over the norm of the step
+};
+
+/// Where plain Newton steps led. What is not `solved` needs another way; what is not `clear` too: the pose is
+/// outside the box, near gimbal lock, or its side is not certain.
+struct LaneSolution {
+    PoseVector pose;
+    std::array<double, 3> centroid; ///< machine sizes
+    std::array<double, 4> rotation; ///< w x y z, not of unit length
+    double residual;                ///< m
+    double startResidual;           ///< at the start, m
+    int iterations;
+    bool solved;
+    bool clear;
+};
+
+/// Newton from one start, full steps. tolerance: m. start: finite; home when it is all zeros.
+void solveLane(const LaneMachine& machine, const LegLengths& lengths, const PoseVector& start,
+               double tolerance, int maxIterations, LaneSolution& solution) noexcept;
+
+/// The same from home for several lengths at once, one in each lane of the processor's vectors.
+struct LaneBlock {
+    static constexpr std::size_t kMostLanes = 8;
+    using Lanes = std::array<double, kMostLanes>;
+    alignas(64) std::array<Lanes, 6> pose;
+    alignas(64) Lanes residual, iterations;
+    std::array<bool, kMostLanes> clear; ///< solved and certain
+};
+std::size_t laneCount() noexcept;
+/// lengths: `count` rows from the pointer on, 1 to laneCount().
+void solveLanes(const LaneMachine& machine, const LegLengths* lengths, std::size_t count, double tolerance,
+                int maxIterations, LaneBlock& block) noexcept;
+
+} // namespace hexapose
