@@ -35,7 +35,8 @@ PoseAccuracy poseAccuracy(const PlatformGeometry& geometry, const Pose& pose, do
     const SingularityMeasure measure = singularityMeasure(geometry, pose);
     PoseAccuracy accuracy{measure.smallestSingularValue, measure.condition, kInfinity, kInfinity};
 
-    // As in the scaled Jacobian: arms about the centroid of the platform joints, lengths over the machine's size.
+    // As in the scaled Jacobian: arms about the centroid of the platform joints, lengths over the machine's
+    // size.
     const double size = geometry.size();
     Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
     for (const Leg& leg : geometry.legs)
@@ -51,7 +52,8 @@ PoseAccuracy poseAccuracy(const PlatformGeometry& geometry, const Pose& pose, do
     double second = 0.0, mostMotion = kInfinity;
     for (int i = 0; i < kLegCount; ++i) {
         const double arm = (geometry.legs[static_cast<std::size_t>(i)].p_PB_P - centroid).norm() / size;
-        const double speed2 = 1.0 + (arm / spread) * (arm / spread); // of the joint, for a motion of unit extent
+        const double speed2 =
+            1.0 + (arm / spread) * (arm / spread); // of the joint, for a motion of unit extent
         const double k = speed2 / (kLeastLength * lengths[i]) + arm / (spread * spread);
         second += k * k;
         mostMotion = std::min(mostMotion, (1.0 - kLeastLength) * lengths[i] / std::sqrt(speed2));

@@ -14,17 +14,17 @@ namespace {
 double turnBetween(const Pose& a, const Pose& b) {
     const Eigen::Matrix3d R = rotationMatrix(a.angles).transpose() * rotationMatrix(b.angles);
     // From the antisymmetric part: the trace tells nothing of small angles.
-    return std::asin(std::min(
-        1.0, 0.5 * Eigen::Vector3d(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1)).norm()));
+    return std::asin(
+        std::min(1.0, 0.5 * Eigen::Vector3d(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1)).norm()));
 }
 
 } // namespace
 
-/// The exact pose is known, because the lengths were made from it; the computed one is stopped early, or is the exact
-/// one with an error put in.
+/// The exact pose is known, because the lengths were made from it; the computed one is stopped early, or is
+/// the exact one with an error put in.
 TEST(PoseAccuracy, TheExactPoseIsWithinTheBound) {
-    for (const PlatformGeometry& machine :
-         {laboratory(), octahedral(), asymmetric(), scaledBy(1e-3, laboratory()), scaledBy(1e3, asymmetric())}) {
+    for (const PlatformGeometry& machine : {laboratory(), octahedral(), asymmetric(),
+                                            scaledBy(1e-3, laboratory()), scaledBy(1e3, asymmetric())}) {
         RandomPoses poses(0.1 * machine.size(), radiansFromDeg(25.0), 77), errors(machine.size(), 1.0, 78);
         for (const double error : {0.0, 1e-12, 1e-9, 1e-6, 1e-4, 2e-3}) {
             double tightest = 0.0;
@@ -33,7 +33,8 @@ TEST(PoseAccuracy, TheExactPoseIsWithinTheBound) {
                 const Pose computed = Pose::fromVector(exact.toVector() + error * errors.next().toVector());
                 const double residual = (legLengths(machine, computed) - legLengths(machine, exact)).norm();
                 const PoseAccuracy accuracy = poseAccuracy(machine, computed, residual);
-                const double offset = (computed.offset - exact.offset).norm(), turn = turnBetween(computed, exact);
+                const double offset = (computed.offset - exact.offset).norm(),
+                             turn = turnBetween(computed, exact);
                 ASSERT_LE(offset, accuracy.offsetBound) << machine.name << " error " << error;
                 ASSERT_LE(turn, accuracy.angleBound) << machine.name << " error " << error;
                 if (error <= 1e-4) {

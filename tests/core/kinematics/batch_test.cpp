@@ -14,13 +14,16 @@ namespace {
 
 constexpr double kSame = 1e-12; ///< machine sizes and radians
 
-void expectSame(const PlatformGeometry& machine, const ForwardResult& a, const ForwardResult& b, std::size_t row) {
+void expectSame(const PlatformGeometry& machine, const ForwardResult& a, const ForwardResult& b,
+                std::size_t row) {
     ASSERT_EQ(a.status, b.status) << machine.name << " row " << row;
     ASSERT_EQ(a.accurate, b.accurate);
     if (!a.hasPose())
         return;
-    ASSERT_LT((a.pose.offset - b.pose.offset).norm() / machine.size(), kSame) << machine.name << " row " << row;
-    ASSERT_LT((a.pose.toVector() - b.pose.toVector()).tail<3>().norm(), kSame) << machine.name << " row " << row;
+    ASSERT_LT((a.pose.offset - b.pose.offset).norm() / machine.size(), kSame)
+        << machine.name << " row " << row;
+    ASSERT_LT((a.pose.toVector() - b.pose.toVector()).tail<3>().norm(), kSame)
+        << machine.name << " row " << row;
     ASSERT_EQ(a.iterations, b.iterations);
 }
 
@@ -44,8 +47,8 @@ std::vector<LegLengths> ordinary(const PlatformGeometry& machine, int count, std
 TEST(Batch, IsTheSingleSolverInEveryLaneAndForEveryRemainder) {
     const auto lanes = static_cast<int>(laneCount());
     ASSERT_GE(lanes, 1);
-    for (const PlatformGeometry& machine :
-         {laboratory(), octahedral(), asymmetric(), scaledBy(1e-3, laboratory()), scaledBy(1e6, asymmetric())}) {
+    for (const PlatformGeometry& machine : {laboratory(), octahedral(), asymmetric(),
+                                            scaledBy(1e-3, laboratory()), scaledBy(1e6, asymmetric())}) {
         const NewtonRaphson newton(machine, {});
         for (int count = 0; count <= 3 * lanes; ++count) {
             const auto lengths = ordinary(machine, count, static_cast<std::uint64_t>(count) + 5);
@@ -60,7 +63,8 @@ TEST(Batch, ABadRowIsItsOwnMatterInEveryLane) {
     const PlatformGeometry machine = laboratory();
     const NewtonRaphson newton(machine, {});
     const std::size_t lanes = laneCount();
-    constexpr double kNan = std::numeric_limits<double>::quiet_NaN(), kInf = std::numeric_limits<double>::infinity();
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN(),
+                     kInf = std::numeric_limits<double>::infinity();
     for (const double bad : {kNan, kInf, -0.3, 0.0, 1e300, 1e-300, 5.0})
         for (std::size_t place = 0; place < 2 * lanes + 1; ++place) {
             auto lengths = ordinary(machine, static_cast<int>(2 * lanes + 1), 9);

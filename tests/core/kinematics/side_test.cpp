@@ -16,7 +16,8 @@ double partOfHome(const PlatformGeometry& machine, const Pose& pose) {
     return singularityMeasure(machine, pose).determinant / singularityMeasure(machine, Pose{}).determinant;
 }
 
-/// Along the straight way from home: the origin on a line, one axis of rotation. Far finer than the solver looks.
+/// Along the straight way from home: the origin on a line, one axis of rotation. Far finer than the solver
+/// looks.
 bool isStraightWayFree(const PlatformGeometry& machine, const Pose& pose) {
     const Eigen::AngleAxisd turn(rotationMatrix(pose.angles));
     for (int i = 0; i <= 400; ++i) {
@@ -71,7 +72,8 @@ TEST(Side, WidePosesAreRightOrSaySoOrAreJoinedToHome) {
             }
             EXPECT_GT(partOfHome(machine, result.pose), 0.0);
             if (!found) {
-                EXPECT_TRUE(isStraightWayFree(machine, result.pose) || isWayOfTheLegsFree(machine, result.pose))
+                EXPECT_TRUE(isStraightWayFree(machine, result.pose) ||
+                            isWayOfTheLegsFree(machine, result.pose))
                     << wide.mm << " mm, pose " << i;
             }
         }
