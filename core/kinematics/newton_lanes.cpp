@@ -251,15 +251,19 @@ struct Newton {
 
     /// Takes a step in the lanes that are still at work.
     static HWY_INLINE void take(const LaneMachine& machine, Step& step, M active, Run& run) {
-        if constexpr (!kSingle) {
+        if constexpr (kSingle) {
+            run.determinant = step.determinant;
+            run.step2 = stepSquare(machine, step);
+            run.iterations = hn::Add(run.iterations, set(1.0));
+        } else {
             for (int k = 0; k < 3; ++k) {
                 step.t[k] = hn::IfThenElseZero(active, step.t[k]);
                 step.w[k] = hn::IfThenElseZero(active, step.w[k]);
             }
+            run.determinant = hn::IfThenElse(active, step.determinant, run.determinant);
+            run.step2 = hn::IfThenElse(active, stepSquare(machine, step), run.step2);
+            run.iterations = hn::Add(run.iterations, hn::IfThenElseZero(active, set(1.0)));
         }
-        run.determinant = hn::IfThenElse(active, step.determinant, run.determinant);
-        run.step2 = hn::IfThenElse(active, stepSquare(machine, step), run.step2);
-        run.iterations = hn::Add(run.iterations, hn::IfThenElseZero(active, set(1.0)));
         move(run.place, step);
         run.rotation = rotation(run.place.q);
     }
@@ -287,6 +291,8 @@ struct Newton {
             run.startResidual2 = run.residual2;
             run.solved = hn::And(active, hn::Le(run.residual2, tolerance2));
             active = hn::AndNot(run.solved, active);
+            if (hn::AllFalse(D(), active))
+                return;
             Step step = stepFromHome(machine, error);
             take(machine, step, active, run);
             steps = 1;
