@@ -4,6 +4,11 @@
 
 #include <Eigen/Core>
 
+#ifdef HEXAPOSE_EIGEN_ALIGN // comes with the installed library: what it was built with
+static_assert(EIGEN_MAX_ALIGN_BYTES == HEXAPOSE_EIGEN_ALIGN,
+              "hexapose was built for another vector unit (-march), by which Eigen lays out its matrices");
+#endif
+
 namespace hexapose {
 
 inline constexpr int kLegCount = 6;
