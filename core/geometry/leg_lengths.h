@@ -13,7 +13,7 @@ namespace hexapose {
 
 inline constexpr int kLegCount = 6;
 
-/// One number a leg, leg 1 first.
+/// 6x1: one number a leg, leg 1 first.
 using LegVector = Eigen::Matrix<double, kLegCount, 1>;
 
 /// Distances between base joint and platform joint, metres, leg 1 first.

@@ -15,19 +15,21 @@ namespace hexapose {
 
 /// One leg: its two joints and its stroke.
 struct Leg {
-    Eigen::Vector3d p_OA_B = Eigen::Vector3d::Zero(); ///< base joint A_i, base frame, m
-    Eigen::Vector3d p_PB_P = Eigen::Vector3d::Zero(); ///< platform joint B_i, platform frame, m
-    double minLength = 0.0;                           ///< stroke, m
-    double maxLength = 0.0;                           ///< stroke, m
+    Eigen::Vector3d p_OA_B = Eigen::Vector3d::Zero(); ///< base joint A_i, from O, base frame, m
+    Eigen::Vector3d p_PB_P = Eigen::Vector3d::Zero(); ///< platform joint B_i, from P, platform frame, m
+    double minLength = 0.0;                           ///< stroke: shortest, m
+    double maxLength = 0.0;                           ///< stroke: longest, m
 };
 
-/// A 6-UPS platform. Frames: B is the base frame with origin O, P the platform frame with origin P.
+/// A 6-UPS platform. Frames: B is the base frame with origin O, P the platform frame with origin P; at pose
+/// zero their axes are parallel. Its functions expect a geometry that validate() accepts, and throw nothing
+/// for another: its numbers are then not to be relied on.
 struct PlatformGeometry {
     std::string name;
-    Eigen::Vector3d p_OP_home_B = Eigen::Vector3d::Zero(); ///< platform origin at pose zero, base frame, m
+    Eigen::Vector3d p_OP_home_B = Eigen::Vector3d::Zero(); ///< P at pose zero, from O, base frame, m
     std::array<Leg, kLegCount> legs;
 
-    /// Leg lengths at pose zero, m.
+    /// Leg lengths at pose zero (Eq. 3), m.
     LegLengths homeLengths() const;
     /// The machine's own size, m: the mean leg length at home. Tolerances scale with it.
     double size() const;
@@ -40,10 +42,11 @@ struct PlatformGeometry {
 
 /// One thing wrong with a geometry, and where in a platform file it stands.
 struct GeometryFault {
-    int leg;         ///< 1 to 6; 0: not a leg
-    std::string key; ///< "min_mm", ...
-    std::string text;
+    int leg;          ///< 1 to 6; 0: not a leg
+    std::string key;  ///< "min_mm", ... as in the platform file
+    std::string text; ///< the sentence of validate()
 };
+/// What validate() says, each with its place. Throws nothing.
 std::vector<GeometryFault> findFaults(const PlatformGeometry& geometry);
 
 /// Everything wrong with a geometry, one sentence each with leg, value and bound, in mm ("leg 3: min_mm 350

@@ -8,11 +8,11 @@
 
 namespace hexapose {
 
-/// x y z (m), alpha beta gamma (rad): the order of every six-vector of pose coordinates.
+/// 6x1: x y z (m), alpha beta gamma (rad), the order of every six-vector of pose coordinates.
 using PoseVector = Eigen::Matrix<double, 6, 1>;
 
 /// Where the platform is: displacement of the platform origin P from its home position, base frame, metres,
-/// and the rotation of the platform. Pose{} is home.
+/// and the rotation of the platform against the base (Eq. 2). Pose{} is home.
 struct Pose {
     Eigen::Vector3d offset = Eigen::Vector3d::Zero();
     EulerAngles angles;

@@ -4,7 +4,8 @@
 
 #include <numbers>
 
-/// Conversions at the borders of the program. Inside, everything is SI: metres, radians, seconds.
+/// Conversions at the borders of the program. Inside, everything is SI: metres, radians, seconds. Any double
+/// will do.
 namespace hexapose {
 
 /// Division rather than a factor of 1e-3: 339.5 mm becomes the double nearest to 0.3395 m.

@@ -21,11 +21,13 @@ struct ForwardMethod {
     int modelDegree;        ///< degree of the regression it needs; 0: none
 };
 
+/// All six, the regression after Newton. The words and titles live as long as the program.
 const std::vector<ForwardMethod>& forwardMethods();
+/// nullptr for a word that is none.
 const ForwardMethod* findForwardMethod(std::string_view word);
 
-/// Builds the solver; `model` must be there, and of the method's degree, when the method needs one.
-/// Throws InputError otherwise.
+/// Builds the solver; `model` must be there, of the method's degree and of this platform, when the method
+/// needs one. Throws InputError otherwise. Geometry and model are copied.
 std::unique_ptr<ForwardSolver> makeForwardSolver(const ForwardMethod& method,
                                                  const PlatformGeometry& geometry,
                                                  const PolynomialModel* model, const NewtonOptions& options);

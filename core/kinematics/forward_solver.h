@@ -10,8 +10,9 @@
 
 namespace hexapose {
 
+/// How a forward solution ended.
 enum class SolveStatus {
-    Converged,
+    Converged,      ///< the pose of these lengths, to the tolerance, on home's side of the singular poses
     IterationLimit, ///< residual still above the tolerance after the allowed iterations
     Singular,       ///< the Jacobian cannot be inverted here
     NoSolution,     ///< no pose has these lengths
@@ -21,11 +22,12 @@ enum class SolveStatus {
     OtherBranch,    ///< a pose of these lengths, but of another assembly mode than home's
 };
 
-/// "converged", "iteration-limit", ... as in the command line's contract.
+/// "converged", "iteration-limit", ... as in the command line's contract; the way back knows no other words.
 std::string_view toWord(SolveStatus status);
 std::optional<SolveStatus> solveStatusFromWord(std::string_view word);
 
-/// What a forward solution says. residual: Euclidean norm of the six leg errors at `pose`, metres.
+/// What a forward solution says. pose: angles in the ranges of eulerAngles(); NaN where there is none.
+/// residual: Euclidean norm of the six leg errors at `pose` (Eq. 3), metres; NaN where nothing was computed.
 struct ForwardResult {
     Pose pose;
     SolveStatus status = SolveStatus::InvalidInput;
@@ -49,7 +51,8 @@ struct ForwardResult {
 class ForwardSolver {
 public:
     virtual ~ForwardSolver() = default;
-    /// lengths in metres; start: where iteration begins, or falls back to (home is Pose{}).
+    /// lengths: leg 1 first, m. start: where iteration begins, or falls back to, m and rad (home is Pose{}).
+    /// Throws nothing: lengths that are none, or a start that is not finite, are InvalidInput.
     virtual ForwardResult solve(const LegLengths& lengths, const Pose& start) const noexcept = 0;
     /// The method's word on the command line: "newton", "mpr3-nr", ...
     virtual std::string_view name() const noexcept = 0;

@@ -8,7 +8,8 @@
 
 namespace hexapose {
 
-/// l_i = | p_home + p + R b_i - A_i |, metres (Eq. 3). Exact for every finite pose; knows nothing of strokes.
+/// l_i = | p_home + p + R b_i - A_i |, metres (Eq. 3). Exact for every finite
+/// pose, not finite for others; knows nothing of strokes.
 LegLengths legLengths(const PlatformGeometry& geometry, const Pose& pose);
 
 } // namespace hexapose

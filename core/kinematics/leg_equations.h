@@ -11,18 +11,18 @@
 
 namespace hexapose {
 
-/// Where the platform is inside a solver: the centroid of the platform joints and a unit quaternion (w, v) of
-/// R_BP. Lengths in machine sizes.
+/// Part of the solvers' inside, as all in this header. Where the platform is there: the centroid of the
+/// platform joints and a unit quaternion (w, v) of R_BP. Lengths in machine sizes.
 struct Placement {
     Eigen::Vector3d centroid;
     double w;
     Eigen::Vector3d v;
 };
 
-/// The six equations |d_i| = l_i of a machine, without units: lengths are divided by the machine's size, so
-/// that micrometres and kilometres give the same numbers, and moments are taken about the centroid of the
-/// platform joints and divided by their spread about it, so that the choice of the platform origin P does not
-/// matter.
+/// The six equations |d_i| = l_i (Eq. 3) of a machine, without units: lengths are divided by the machine's
+/// size, so that micrometres and kilometres give the same numbers, and moments are taken about the centroid
+/// of the platform joints and divided by their spread about it, so that the choice of the platform origin P
+/// does not matter.
 class LegEquations {
 public:
     using Legs = Eigen::Array<double, kLegCount, 1>;
@@ -44,10 +44,10 @@ public:
     Pose poseOf(const Placement& placement) const noexcept;
 
     Evaluation evaluate(const Placement& placement, const Legs& target) const noexcept;
-    /// The Jacobian, rows of unit leg vectors and their scaled moments; its Frobenius norm is at most
-    /// sqrt(12).
+    /// The Jacobian (Eq. 8), 6x6, rows of unit leg vectors and their scaled moments; its Frobenius norm is at
+    /// most sqrt(12).
     Matrix jacobian(const Evaluation& at) const noexcept;
-    /// The Newton step at `at`; returns the determinant of jacobian(at), 0 when there is no step.
+    /// The Newton step (Eq. 14) at `at`; returns the determinant of jacobian(at), 0 when there is no step.
     double newtonStep(const Evaluation& at, Step& step) const noexcept;
     /// The placement moved by a step; the rotation by its Cayley transform (no trigonometry, exact to third
     /// order).

@@ -8,7 +8,8 @@
 
 namespace hexapose {
 
-/// Six linear equations by columns: six of coefficients, then the right-hand side.
+/// Part of the solvers' inside. Six linear equations by columns: six of coefficients, then the right-hand
+/// side.
 using LinearSystem = std::array<Eigen::Array<double, 6, 1>, 7>;
 
 /// Gauss-Jordan elimination with partial pivoting, in place. Works on whole columns and leaves the rows where

@@ -6,6 +6,7 @@
 
 namespace hexapose {
 
+/// Part of the solvers' inside, as all in this header: how a run ended.
 enum class NewtonEnd {
     Solved,     ///< residual within the tolerance
     Limit,      ///< iterations used up, or rounding stopped them
@@ -28,6 +29,8 @@ enum class StepGuard {
     None,    ///< take it all the same: reaches solutions behind a hill of the residual
 };
 
+/// Newton's iteration (Eq. 14) until the residual is within the tolerance, in machine sizes. The start must
+/// be finite.
 NewtonRun runNewton(const LegEquations& equations, const LegEquations::Legs& target, const Placement& start,
                     double tolerance, int maxIterations, StepGuard guard) noexcept;
 

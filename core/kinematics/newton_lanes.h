@@ -10,9 +10,10 @@
 
 namespace hexapose {
 
-/// What the vector code knows of a machine: plain numbers, lengths in machine sizes, legs in the order of
-/// elimination. The legs are split in two triples; the first is the one whose leg vectors at home span the
-/// largest volume, so that their 3x3 block can be inverted without a search for pivots.
+/// Part of the solvers' inside, as all in this header. What the vector code knows of a machine: plain
+/// numbers, lengths in machine sizes, legs in the order of elimination. The legs are split in two triples;
+/// the first is the one whose leg vectors at home span the largest volume, so that their 3x3 block can be
+/// inverted without a search for pivots.
 struct LaneMachine {
     std::array<int, kLegCount> order{}; ///< place -> leg
     std::array<std::array<double, kLegCount>, 3> base{}, joint{};
@@ -45,7 +46,8 @@ struct LaneSolution {
     bool clear;
 };
 
-/// Newton from one start, full steps. tolerance: m. start: finite; home when it is all zeros.
+/// Newton (Eq. 14) from one start, full steps. lengths and tolerance: m. start: finite; home when it is all
+/// zeros.
 void solveLane(const LaneMachine& machine, const LegLengths& lengths, const PoseVector& start,
                double tolerance, int maxIterations, LaneSolution& solution) noexcept;
 
@@ -57,6 +59,7 @@ struct LaneBlock {
     alignas(64) Lanes residual, iterations;
     std::array<bool, kMostLanes> clear; ///< solved and certain
 };
+/// How many at once on this processor.
 std::size_t laneCount() noexcept;
 /// lengths: `count` rows from the pointer on, 1 to laneCount().
 void solveLanes(const LaneMachine& machine, const LegLengths* lengths, std::size_t count, double tolerance,

@@ -11,9 +11,10 @@
 
 namespace hexapose {
 
+/// When to stop.
 struct NewtonOptions {
     double tolerance = 0.0; ///< Euclidean norm of the leg errors, m; 0: defaultTolerance()
-    int maxIterations = 50;
+    int maxIterations = 50; ///< of one run
 };
 
 /// 1e-10 m for the laboratory platform, in proportion to the machine's size for any other.
@@ -41,16 +42,19 @@ inline constexpr double kSingularValueFloor = 1e-4;
 /// and only one run is bound by the limit.
 class NewtonRaphson final : public ForwardSolver {
 public:
+    /// geometry: one that validate() accepts; it is not kept.
     NewtonRaphson(const PlatformGeometry& geometry, const NewtonOptions& options);
     ForwardResult solve(const LegLengths& lengths, const Pose& start) const noexcept override;
-    /// The same, and the residual at `start`, m, which the first step finds by the way.
+    /// The same, and the residual at `start`, m, which the first step finds by the way; infinity where none
+    /// was taken.
     ForwardResult solve(const LegLengths& lengths, const Pose& start, double& startResidual) const noexcept;
     std::string_view name() const noexcept override { return "newton"; }
 
     /// The tolerance in force, m.
     double tolerance() const noexcept { return m_tolerance; }
 
-    /// solve() from home of many lengths. `results` is as long as `lengths`; threads: 0 for one a core.
+    /// solve() from home of many lengths. `results` must be as long as `lengths`, which is not checked;
+    /// threads: 0 for one a core.
     void solveAll(std::span<const LegLengths> lengths, std::span<ForwardResult> results,
                   unsigned threads = 1) const;
 
@@ -68,10 +72,10 @@ private:
     LaneMachine m_lanes;
 };
 
-/// The iteration that the paper's numbers come from, only to reproduce them: joint vectors unrotated in J,
-/// omega added to the Euler angles as if it were their rate, the error tested before the update and the
-/// update still applied. Linear, 1.39 iterations a decade. Newton's statuses, but NoSolution only by the
-/// triangle inequalities.
+/// The iteration that the paper's numbers come from (Eq. 14 with Eq. 8), only to reproduce them: joint
+/// vectors unrotated in J, omega added to the Euler angles as if it were their rate, the error tested before
+/// the update and the update still applied. Linear, 1.39 iterations a decade. Newton's statuses, but
+/// NoSolution only by the triangle inequalities.
 class NewtonAsPublished final : public ForwardSolver {
 public:
     NewtonAsPublished(const PlatformGeometry& geometry, const NewtonOptions& options);

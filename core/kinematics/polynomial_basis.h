@@ -9,6 +9,7 @@
 
 namespace hexapose {
 
+/// Degrees of a regression.
 inline constexpr int kMinDegree = 1;
 inline constexpr int kMaxDegree = 4;
 
@@ -20,7 +21,7 @@ constexpr int binomial(int n, int k) {
     return result;
 }
 
-/// Distinct monomials of six variables up to a degree: 7, 28, 84, 210.
+/// Distinct monomials of six variables up to a degree, the terms of Eq. 16: 7, 28, 84, 210.
 constexpr int monomialCount(int degree) {
     return binomial(kLegCount + degree, kLegCount);
 }

@@ -15,11 +15,11 @@ namespace hexapose {
 
 /// What a model is trained on: poses uniform in a box about home.
 struct TrainingSpec {
-    int degree = 3;           ///< 1 to 4
-    double offsetRange = 0.0; ///< +-, m, each axis
-    double angleRange = 0.0;  ///< +-, rad, each axis
-    std::int64_t samples = 100000;
-    std::uint64_t seed = 1;
+    int degree = 3;                ///< 1 to 4
+    double offsetRange = 0.0;      ///< +-, m, each axis
+    double angleRange = 0.0;       ///< +-, rad, each axis
+    std::int64_t samples = 100000; ///< poses
+    std::uint64_t seed = 1;        ///< of their random numbers
 };
 
 /// A regression of the pose on the distinct monomials up to `degree` of the centred and scaled lengths (Eq.
@@ -27,16 +27,18 @@ struct TrainingSpec {
 /// in polynomial_basis.h.
 struct PolynomialModel {
     TrainingSpec spec;
-    std::string platformFingerprint;
+    std::string platformFingerprint; ///< PlatformGeometry::fingerprint() of the one it belongs to
     LegLengths lengthCentre = LegLengths::Zero(); ///< m
     LegLengths lengthScale = LegLengths::Ones();  ///< m
     LegLengths minLength = LegLengths::Zero();    ///< smallest and largest length met in training, m
     LegLengths maxLength = LegLengths::Zero();
     double maxResidual = 0.0; ///< largest leg residual of the regression over the training poses, m
     PoseVector maxError = PoseVector::Zero(); ///< largest error of each coordinate there, m and rad
-    Eigen::Matrix<double, 6, Eigen::Dynamic> coefficients; ///< rows x y z (m) alpha beta gamma (rad)
+    /// 6 x monomialCount(degree); rows x y z (m) alpha beta gamma (rad).
+    Eigen::Matrix<double, 6, Eigen::Dynamic> coefficients;
 
-    /// The regression's pose. Allocates nothing.
+    /// The regression's pose, from lengths in m. Of a trained or loaded model; extrapolates without a word
+    /// outside of its range. Allocates nothing.
     PoseVector evaluate(const LegLengths& lengths) const noexcept;
     /// Identity of the model for logs: FNV-1a over spec, platform and coefficients, 16 hex digits.
     std::string fingerprint() const;
@@ -47,7 +49,8 @@ std::string specFingerprint(const TrainingSpec& spec);
 
 /// The range a model is trained on when nobody says otherwise: +-40 mm and +-40 deg for the laboratory
 /// platform, the displacement in proportion to the machine's size, and both halved until no sampled pose is
-/// singular or past a singularity. Throws InputError for a geometry that is singular at home.
+/// singular or past a singularity. Throws InputError for a geometry that is singular at home or too close to
+/// it. The degree is not checked here but by trainModel().
 TrainingSpec defaultTrainingSpec(const PlatformGeometry& geometry, int degree);
 
 } // namespace hexapose

@@ -16,6 +16,7 @@ struct SingularityMeasure {
     double condition = 0.0;             ///< largest over smallest singular value
 };
 
+/// At a finite pose. Where the Jacobian (Eq. 8) is not finite: zeros, and an infinite condition.
 SingularityMeasure singularityMeasure(const PlatformGeometry& geometry, const Pose& pose);
 
 } // namespace hexapose
