@@ -7,6 +7,7 @@
 #include "core/kinematics/inverse_kinematics.h"
 #include "core/kinematics/mpr_newton.h"
 #include "core/kinematics/polynomial_training.h"
+#include "fma_peak.h"
 #include "ratio_report.h"
 #include "yardstick.h"
 
@@ -25,6 +26,8 @@ using namespace hexapose::bench;
 
 constexpr double kTolerance = 1e-10;
 constexpr int kPoses = 4096;
+/// Of one pose of a batch over set 2, by the count in core/kinematics/README.md.
+constexpr double kFlopsOfBatch = 2960.0;
 
 enum class Start { Home, Near };
 
@@ -110,6 +113,8 @@ void addBatch(const Jobs& jobs, std::shared_ptr<const NewtonRaphson> newton) {
                                          benchmark::DoNotOptimize(results.data());
                                      }
                                      state.counters["poses"] = kPoses;
+                                     if (jobs.name == "cold, set 2")
+                                         state.counters["flops"] = kFlopsOfBatch;
                                  });
 }
 
@@ -119,6 +124,16 @@ void addRegression(const Jobs& jobs, int degree) {
             benchmark::DoNotOptimize(fitted.evaluate(lengths)[0]);
             return 0;
         });
+}
+
+/// What the vector unit can do at best.
+void addPeak() {
+    benchmark::RegisterBenchmark("peak of the vector unit", [](benchmark::State& state) {
+        constexpr long kRounds = 1000;
+        for (auto _ : state)
+            benchmark::DoNotOptimize(multiplyAdds(kRounds));
+        state.counters["flops"] = multiplyAddFlops(kRounds);
+    });
 }
 
 void addTraining() {
@@ -175,6 +190,7 @@ int main(int argc, char** argv) {
               std::make_shared<const NewtonAsPublished>(laboratory(), options));
     for (const int degree : {2, 3, 4})
         addRegression(sets[1], degree);
+    addPeak();
     addTraining();
     RatioReport report;
     benchmark::RunSpecifiedBenchmarks(&report);

@@ -32,7 +32,7 @@ void RatioReport::ReportRuns(const std::vector<Run>& runs) {
         const std::string name = run.run_name.function_name;
         const double poses = std::max(1.0, counterOf(run, "poses"));
         const double seconds = run.real_accumulated_time / static_cast<double>(run.iterations) / poses;
-        const Best now{1e9 * seconds, counterOf(run, "iterations")};
+        const Best now{1e9 * seconds, counterOf(run, "iterations"), counterOf(run, "flops")};
         const auto [place, fresh] = m_best.emplace(name, now);
         if (fresh)
             m_order.push_back(name);
@@ -56,8 +56,12 @@ void RatioReport::printRow(const std::string& name, const Best& best) const {
         std::snprintf(ratios, sizeof ratios, "%8.1fx %10.1fx", plain->nanoseconds / best.nanoseconds,
                       native->nanoseconds / best.nanoseconds);
     const bool slow = best.nanoseconds > 1e5;
-    std::printf("%-46s %10.*f %s %11s %s\n", name.c_str(), slow ? 1 : 0,
-                slow ? best.nanoseconds * 1e-6 : best.nanoseconds, slow ? "ms" : "ns", iterations, ratios);
+    char work[32] = "";
+    if (best.flops > 0.0)
+        std::snprintf(work, sizeof work, "  %.1f GFLOP/s", best.flops / best.nanoseconds);
+    std::printf("%-46s %10.*f %s %11s %s%s\n", name.c_str(), slow ? 1 : 0,
+                slow ? best.nanoseconds * 1e-6 : best.nanoseconds, slow ? "ms" : "ns", iterations, ratios,
+                work);
 }
 
 void RatioReport::Finalize() {

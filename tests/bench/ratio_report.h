@@ -22,6 +22,7 @@ private:
     struct Best {
         double nanoseconds; ///< one pose, or one run where there are no poses
         double iterations;
+        double flops; ///< of one pose; 0: not counted
     };
     const Best* find(const std::string& name) const;
     void printRow(const std::string& name, const Best& best) const;
