@@ -378,6 +378,38 @@
         <source>Measurements arrive</source>
         <translation>收到测量值</translation>
     </message>
+    <message>
+        <source>Stopped: the controller accepted no set-point for %1 ms</source>
+        <translation>已停止：控制器在 %1 ms 内未接受任何设定值</translation>
+    </message>
+    <message>
+        <source>Stopped: a set-point would have left a stroke</source>
+        <translation>已停止：设定值将超出行程</translation>
+    </message>
+    <message>
+        <source>Stopped: the controller gave another name or other limits</source>
+        <translation>已停止：控制器给出了不同的名称或限位</translation>
+    </message>
+    <message>
+        <source>The link is back after a loss in mid-move: a stop was sent</source>
+        <translation>运动中断开的连接已恢复：已发送停止命令</translation>
+    </message>
+    <message>
+        <source>The controller did not confirm that the drives are off</source>
+        <translation>控制器未确认驱动已关闭</translation>
+    </message>
+    <message>
+        <source>Look at the machine; take its drives off there.</source>
+        <translation>请查看设备，并在设备上关闭驱动。</translation>
+    </message>
+    <message>
+        <source>Stopped: a leg does not follow</source>
+        <translation>已停止：支腿未跟随</translation>
+    </message>
+    <message>
+        <source>Stopped: leg %1 is %2 mm from its set-point, more than %3 mm</source>
+        <translation>已停止：支腿 %1 与设定值相差 %2 mm，超过 %3 mm</translation>
+    </message>
 </context>
 <context>
     <name>hexapose::LegsPanel</name>

@@ -20,6 +20,11 @@ bool endsTheRun(EventCode code) {
     case EventCode::StoppedOnStaleData:
     case EventCode::StoppedOnSolver:
     case EventCode::StoppedOnRefusal:
+    case EventCode::StoppedOnFollowingError:
+    case EventCode::StoppedOnNoEcho:
+    case EventCode::StoppedOnLimits:
+    case EventCode::StoppedOnNewIdentity:
+    case EventCode::StoppedAfterLoss:
     case EventCode::ControllerFault:
     case EventCode::PreparationFailed:
     case EventCode::ClockWentBack:

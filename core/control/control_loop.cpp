@@ -15,6 +15,10 @@ constexpr double kStrokeSeconds = 2.5;   ///< default leg speed: mean stroke in 
 constexpr double kFastestLeg = 0.08;     ///< m/s, below what the drives can do
 constexpr double kSettleWindow = 2e-4;   ///< m
 constexpr double kSettleOfStroke = 2e-3; ///< for machines with tiny strokes
+/// Largest distance of a leg from its set-point, of the machine's size: 24 mm for the laboratory platform,
+/// whose legs lag by 10 mm at most.
+constexpr double kFollowingOfSize = 0.08;
+constexpr double kOrdinaryLag = 0.3; ///< s; a machine of long strokes for its size may lag further
 constexpr int kShutDownExchanges = 20;
 
 ControlOptions completed(ControlOptions options, const PlatformGeometry& geometry) {
@@ -25,6 +29,9 @@ ControlOptions completed(ControlOptions options, const PlatformGeometry& geometr
         options.legSpeed = std::min(stroke / kStrokeSeconds, kFastestLeg);
     if (options.settleWindow <= 0.0)
         options.settleWindow = std::min(kSettleWindow, kSettleOfStroke * stroke);
+    if (options.followingLimit <= 0.0)
+        options.followingLimit =
+            std::max(kFollowingOfSize * geometry.size(), kOrdinaryLag * options.legSpeed);
     return options;
 }
 
@@ -53,7 +60,7 @@ ControlLoop::Impl::Impl(PlatformDevice& theDevice, const PlatformGeometry& theGe
                         Now theNow)
     : device(theDevice), geometry(theGeometry), solver(theSolver),
       options(completed(theOptions, theGeometry)), sink(std::move(theSink)), now(std::move(theNow)),
-      sessionStart(now()), monitor(options.staleAfter) {}
+      sessionStart(now()), monitor(options.staleAfter), follow(options.followingLimit, options.echoWithin) {}
 
 RunState ControlLoop::Impl::state() const {
     if (feedback.link == LinkState::ListenOnly)
@@ -77,6 +84,7 @@ void ControlLoop::Impl::dropMotion() {
     move.reset();
     commanded.reset();
     commandedPose.reset();
+    follow.reset();
     goal.reset(); // after a stop the target is where the platform is
 }
 
@@ -89,6 +97,8 @@ void ControlLoop::Impl::stop(Event cause) {
 
 SetPoints ControlLoop::Impl::nextSetPoints(Clock::time_point time) {
     SetPoints out;
+    if (!commanded)
+        follow.reset();
     if (pendingRequest == DeviceRequest::None && move)
         request(move->takeRequest());
     out.request = std::exchange(pendingRequest, DeviceRequest::None);
@@ -100,6 +110,8 @@ SetPoints ControlLoop::Impl::nextSetPoints(Clock::time_point time) {
     else if (!commanded && !monitor.stale())
         commanded = measured; // hold where it is: the controller's watchdog wants to hear us
     out.lengths = commanded;
+    if (commanded)
+        follow.sent(time);
     return out;
 }
 

@@ -21,6 +21,8 @@ struct ControlOptions {
     double legSpeed = 0.0; ///< m/s; 0: a stroke in 2.5 s, at most 80 mm/s
     double settleWindow =
         0.0; ///< m, largest leg error that counts as there; 0: 0.2 mm, less for tiny strokes
+    double followingLimit = 0.0; ///< m, a leg further than this from its set-point stops; 0: of the size
+    std::chrono::milliseconds echoWithin{300}; ///< set-points unaccepted for so long stop
     std::chrono::milliseconds settleTime{300}; ///< inside the window for so long
     std::chrono::milliseconds settleTimeout{10000};
     std::chrono::milliseconds staleAfter{200};     ///< at least; three feedback periods when those are longer

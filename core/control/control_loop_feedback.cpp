@@ -108,7 +108,7 @@ void ControlLoop::Impl::solve() {
     }
 }
 
-void ControlLoop::Impl::watch(Clock::time_point) {
+void ControlLoop::Impl::watch(Clock::time_point time) {
     const bool stale = monitor.stale();
     if (stale != wasStale) {
         if (stale)
@@ -118,12 +118,13 @@ void ControlLoop::Impl::watch(Clock::time_point) {
             raise({EventCode::DataFresh, 0.0, {}});
         wasStale = stale;
     }
-    if (!move)
-        return;
-    if (stale)
+    if (move && stale)
         stop({EventCode::StoppedOnStaleData, 0.0, {}});
-    else if (feedback.lengths && !measuredPose)
+    else if (move && feedback.lengths && !measuredPose)
         stop({EventCode::StoppedOnSolver, 0.0, std::string(toWord(solution.status))});
+    else if (commanded && measuredPose)
+        if (std::optional<Event> cause = follow.judge(feedback, *commanded, time))
+            stop(std::move(*cause));
 }
 
 } // namespace hexapose

@@ -4,6 +4,7 @@
 
 #include "core/control/control_loop.h"
 #include "core/control/feedback_monitor.h"
+#include "core/control/follow_watch.h"
 #include "core/control/joint_move.h"
 
 #include <optional>
@@ -71,6 +72,7 @@ struct ControlLoop::Impl {
     std::vector<OperatorCommand> commands;
 
     FeedbackMonitor monitor;
+    FollowWatch follow;
     DeviceFeedback feedback;
     std::optional<LegLengths> measured;
     ForwardResult solution;

@@ -105,6 +105,7 @@ void LineDevice::Impl::take(const line::Len& len, Time time) {
     feedback.controllerTime = len.time;
     feedback.protectedLink = true;
     feedback.state = len.state;
+    feedback.echoesSetPoints = true;
     feedback.acceptedSetPoint = len.setNumber < 0 ? std::nullopt : std::optional(len.setNumber);
     if (len.state == ControllerState::Stopped) {
         stop.confirm();

@@ -78,8 +78,9 @@ struct DeviceFeedback {
     ControllerState state = ControllerState::Unknown; ///< as of the last measurement
     bool protectedLink = false;                       ///< lengths came in checked frames
     std::optional<std::int32_t> acceptedSetPoint;     ///< number of the last set-point that was accepted
-    std::chrono::milliseconds period{0};              ///< feedback period in force; 0: not known
-    std::optional<double> minLength;                  ///< the controller's own limits, m, once known
+    bool echoesSetPoints = false;        ///< acceptedSetPoint is told; none of it then means: not one yet
+    std::chrono::milliseconds period{0}; ///< feedback period in force; 0: not known
+    std::optional<double> minLength;     ///< the controller's own limits, m, once known
     std::optional<double> maxLength;
     std::string controllerName;
     LinkCounters counters;

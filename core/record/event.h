@@ -34,11 +34,17 @@ enum class EventCode {
     ControllerFault,   ///< detail: code and text
     NoAnswer,          ///< detail: the request that got no answer
     ClockWentBack,
-    CommandRefused,    ///< detail: command and state, e.g. "run in stopped"
-    ReportSample,      ///< value: sample number
-    LogFailed,         ///< detail: the system's reason
-    LoopFailed,        ///< detail: the error that ended the control loop
-    PreparationFailed, ///< a reference or enable before a move did not come about; detail: which
+    CommandRefused,          ///< detail: command and state, e.g. "run in stopped"
+    ReportSample,            ///< value: sample number
+    LogFailed,               ///< detail: the system's reason
+    LoopFailed,              ///< detail: the error that ended the control loop
+    PreparationFailed,       ///< a reference or enable before a move did not come about; detail: which
+    StoppedOnFollowingError, ///< a leg is too far from its set-point; detail: leg, gap and limit
+    StoppedOnNoEcho,         ///< set-points go unaccepted; value: milliseconds since the first of them
+    StoppedOnLimits,         ///< a set-point would leave a stroke; detail: the verdict's word form
+    StoppedOnNewIdentity,    ///< the controller gave another name or other limits; detail: name and limits
+    StoppedAfterLoss,        ///< the link is back after a loss in mid-move: a stop was sent
+    DisableUnconfirmed,      ///< the closing ended without a word that the drives are off
 };
 
 struct Event {

@@ -44,12 +44,19 @@ DeviceFeedback ScriptedDevice::exchange(const SetPoints& setPoints) {
     received.push_back(setPoints);
     m_now += kPeriod;
     obey(setPoints.request);
-    if (setPoints.lengths && state == ControllerState::Enabled && !stuck)
+    if (setPoints.lengths)
+        ++m_setNumber;
+    const bool taken = setPoints.lengths && state == ControllerState::Enabled && !deaf;
+    if (taken)
+        m_accepted = m_setNumber;
+    if (taken && !stuck)
         lengths = *setPoints.lengths + leftToSettle * (lengths - *setPoints.lengths);
     DeviceFeedback feedback;
     feedback.link = link;
     feedback.protectedLink = link == LinkState::Connected;
     feedback.state = link == LinkState::Connected ? state : ControllerState::Unknown;
+    feedback.echoesSetPoints = echoes;
+    feedback.acceptedSetPoint = echoes ? m_accepted : std::nullopt;
     feedback.period = kPeriod;
     feedback.minLength = minLength;
     feedback.maxLength = maxLength;

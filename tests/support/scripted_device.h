@@ -31,6 +31,8 @@ public:
     bool silent = false;                     ///< no measurement comes
     bool ignoresEnable = false;              ///< stays disabled
     bool stuck = false;                      ///< legs do not move
+    bool deaf = false;                       ///< takes no set-point and echoes none
+    bool echoes = true;                      ///< tells which set-point it accepted last
     std::optional<LegLengths> reportInstead; ///< a bad measurement
     std::vector<DeviceNotice> notices;       ///< handed out with the next exchange
     double leftToSettle = 0.3;               ///< part of the distance that is left after a period
@@ -44,6 +46,8 @@ private:
     void obey(DeviceRequest request);
 
     LegLengths m_home;
+    std::int32_t m_setNumber = 0;
+    std::optional<std::int32_t> m_accepted;
     Clock::time_point m_now{};
     Clock::time_point m_measuredAt{};
 };

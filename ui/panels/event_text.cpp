@@ -10,6 +10,8 @@
 
 #include <QCoreApplication>
 
+#include <cstdio>
+
 namespace hexapose {
 
 namespace {
@@ -94,6 +96,18 @@ EventText linkText(const Event& event) {
     }
 }
 
+/// "leg 3 off by 25.1 mm, limit 24.0 mm", in the language of the screen.
+QString followingText(const Event& event) {
+    int leg = 0;
+    char gap[24] = "";
+    char limit[24] = "";
+    if (std::sscanf(event.detail.c_str(), "leg %d off by %23s mm, limit %23s mm", &leg, gap, limit) != 3) {
+        return withDetail(EventWords::tr("Stopped: a leg does not follow"), detailOf(event));
+    }
+    return EventWords::tr("Stopped: leg %1 is %2 mm from its set-point, more than %3 mm")
+        .arg(QString::number(leg), QString::fromLatin1(gap), QString::fromLatin1(limit));
+}
+
 EventText stopText(const Event& event) {
     const QString clear = EventWords::tr("Find the cause, press Clear, then Run.");
     switch (event.code) {
@@ -110,6 +124,26 @@ EventText stopText(const Event& event) {
     case EventCode::StoppedOnRefusal:
         return {withDetail(EventWords::tr("Stopped: the controller refused a set-point"), detailOf(event)),
                 clear, Tone::Bad};
+    case EventCode::StoppedOnFollowingError:
+        return {followingText(event), clear, Tone::Bad};
+    case EventCode::StoppedOnNoEcho:
+        return {EventWords::tr("Stopped: the controller accepted no set-point for %1 ms")
+                    .arg(fixed(event.value, 0)),
+                clear, Tone::Bad};
+    case EventCode::StoppedOnLimits:
+        return {withDetail(EventWords::tr("Stopped: a set-point would have left a stroke"),
+                           verdictTextFromWords(detailOf(event))),
+                clear, Tone::Bad};
+    case EventCode::StoppedOnNewIdentity:
+        return {withDetail(EventWords::tr("Stopped: the controller gave another name or other limits"),
+                           detailOf(event)),
+                clear, Tone::Bad};
+    case EventCode::StoppedAfterLoss:
+        return {EventWords::tr("The link is back after a loss in mid-move: a stop was sent"), clear,
+                Tone::Bad};
+    case EventCode::DisableUnconfirmed:
+        return {EventWords::tr("The controller did not confirm that the drives are off"),
+                EventWords::tr("Look at the machine; take its drives off there."), Tone::Bad};
     case EventCode::LoopFailed:
         return {withDetail(EventWords::tr("The control loop ended"), detailOf(event)),
                 EventWords::tr("Disconnect and connect again; keep the log for the maker."), Tone::Bad};

@@ -51,7 +51,8 @@ TEST(AttitudeSequence, EndsWithTheReasonWhateverStopsTheMove) {
          {EventCode::MoveRefused, EventCode::CommandRefused, EventCode::NotSettled, EventCode::StopRequested,
           EventCode::StoppedByController, EventCode::StoppedOnStaleData, EventCode::StoppedOnSolver,
           EventCode::ControllerFault, EventCode::LinkLost, EventCode::LoopFailed,
-          EventCode::PreparationFailed}) {
+          EventCode::PreparationFailed, EventCode::StoppedOnFollowingError, EventCode::StoppedOnNoEcho,
+          EventCode::StoppedOnLimits, EventCode::StoppedOnNewIdentity, EventCode::StoppedAfterLoss}) {
         AttitudeSequence sequence(twoTargets(), 1s);
         sequence.add(at(1s));
         EXPECT_FALSE(sequence.add(at(2s, {{code, 0.0, "why"}})));

@@ -20,7 +20,10 @@ namespace {
 using namespace std::chrono_literals;
 using testing::ScriptedDevice;
 
-constexpr double kSettleWindow = 2e-4; // m, as the loop's default for the laboratory platform
+// m, as the loop's defaults for the laboratory platform
+constexpr double kSettleWindow = 2e-4;
+constexpr double kFollowingLimit = 0.024;
+constexpr double kLongestStep = 0.0008; ///< two cycles at the leg speed
 
 Pose target() {
     return {{0.012, -0.004, 0.040}, {0.0, 0.0, radiansFromDeg(5.0)}};
@@ -269,11 +272,48 @@ TEST_F(ControlLoopTest, GivesUpAnEnableThatDoesNotCome) {
 
 TEST_F(ControlLoopTest, LegsThatDoNotArriveAreNeverCalledSettled) {
     startMoving();
-    m_device.stuck = true;
+    until(RunState::Settling);
+    m_device.stuck = true; // a few tenths of a millimetre short
+    m_device.lengths.array() -= 3.0 * kSettleWindow;
     cycles(2000);
     EXPECT_EQ(m_last.state, RunState::Settling);
     EXPECT_TRUE(saw(EventCode::NotSettled));
     EXPECT_FALSE(saw(EventCode::Settled));
+}
+
+TEST_F(ControlLoopTest, ALegThatDoesNotFollowStopsTheMoveAndIsNamed) {
+    startMoving();
+    m_device.stuck = true;
+    const std::size_t mark = m_device.received.size();
+    until(RunState::Stopped);
+    const std::string detail = detailOf(EventCode::StoppedOnFollowingError);
+    EXPECT_EQ(detail.rfind("leg ", 0), 0u) << detail;
+    EXPECT_NE(detail.find("limit 24.0 mm"), std::string::npos) << detail;
+    cycles(1);
+    EXPECT_EQ(m_device.received.back().request, DeviceRequest::Stop);
+    const LegLengths gap = m_device.received[m_device.received.size() - 2].lengths.value() - m_device.lengths;
+    EXPECT_LT(gap.cwiseAbs().maxCoeff(), kFollowingLimit + kLongestStep) << "stopped at once";
+    EXPECT_GT(m_device.received.size(), mark + 10) << "an ordinary lag is no cause";
+}
+
+TEST_F(ControlLoopTest, AControllerThatTakesNoSetPointsStopsTheMove) {
+    startMoving();
+    m_device.deaf = true;
+    const std::size_t mark = m_device.received.size();
+    until(RunState::Stopped, 60);
+    EXPECT_TRUE(saw(EventCode::StoppedOnNoEcho));
+    EXPECT_GE(m_device.received.size(), mark + 30) << "300 ms of 10 ms cycles";
+    cycles(1);
+    EXPECT_EQ(m_device.received.back().request, DeviceRequest::Stop);
+}
+
+TEST_F(ControlLoopTest, AProtocolWithoutAnEchoIsJudgedByTheLegsAlone) {
+    m_device.echoes = false;
+    startMoving();
+    until(RunState::Enabled);
+    EXPECT_TRUE(saw(EventCode::Settled));
+    cycles(100);
+    EXPECT_EQ(m_last.state, RunState::Enabled);
 }
 
 TEST_F(ControlLoopTest, ShutDownStopsAMoveAndDisables) {

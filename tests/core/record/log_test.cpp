@@ -31,7 +31,7 @@ TEST(Words, ReadBack) {
     }
     EXPECT_EQ(toWord(RunState::Unreferenced), "unreferenced");
     EXPECT_FALSE(runStateFromWord("Moving").has_value());
-    for (int i = 0; i <= static_cast<int>(EventCode::PreparationFailed); ++i) {
+    for (int i = 0; i <= static_cast<int>(EventCode::DisableUnconfirmed); ++i) {
         const auto code = static_cast<EventCode>(i);
         EXPECT_EQ(eventCodeFromWord(toWord(code)), code);
     }

@@ -31,7 +31,7 @@ TEST(EventList, NewestIsFirstAndRepetitionsAreCounted) {
 }
 
 TEST(EventList, EveryEventIsSaidAndTroubleSaysWhatToDo) {
-    for (int code = 0; code <= static_cast<int>(EventCode::PreparationFailed); ++code) {
+    for (int code = 0; code <= static_cast<int>(EventCode::DisableUnconfirmed); ++code) {
         const Event event{static_cast<EventCode>(code), 2.0, "detail"};
         const EventText text = eventText(event);
         EXPECT_NE(text.cause.section(QLatin1Char(':'), 0, 0).toStdString(), toWord(event.code))
@@ -44,6 +44,11 @@ TEST(EventList, EveryEventIsSaidAndTroubleSaysWhatToDo) {
                     .cause.endsWith(QStringLiteral("Stopped")));
     EXPECT_TRUE(eventText({EventCode::StoppedOnSolver, 0.0, "no-solution"})
                     .cause.endsWith(QStringLiteral("No pose has these lengths")));
+    EXPECT_EQ(
+        eventText({EventCode::StoppedOnFollowingError, 0.0, "leg 3 off by 25.1 mm, limit 24.0 mm"}).cause,
+        QStringLiteral("Stopped: leg 3 is 25.1 mm from its set-point, more than 24.0 mm"));
+    EXPECT_TRUE(eventText({EventCode::StoppedOnLimits, 0.0, "leg 3 above max_mm"})
+                    .cause.endsWith(QStringLiteral("Leg 3 would be above its maximum")));
 }
 
 TEST(EventList, OldEntriesChangeTheirLanguageToo) {
