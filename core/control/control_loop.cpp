@@ -105,10 +105,12 @@ SetPoints ControlLoop::Impl::nextSetPoints(Clock::time_point time) {
     if (out.request == DeviceRequest::Stop || stopLatched || !takesCommands() ||
         feedback.state != ControllerState::Enabled)
         return out;
-    if (moving())
-        commanded = move->setPoint(time);
-    else if (!commanded && !monitor.stale())
+    if (moving()) {
+        move->step(time, options.longestPathStep);
+        commanded = move->setPoint();
+    } else if (!commanded && !monitor.stale()) {
         commanded = measured; // hold where it is: the controller's watchdog wants to hear us
+    }
     out.lengths = commanded;
     if (commanded)
         follow.sent(time);

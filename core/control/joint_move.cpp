@@ -3,6 +3,8 @@
 
 #include "core/control/joint_move.h"
 
+#include <algorithm>
+
 namespace hexapose {
 
 namespace {
@@ -39,14 +41,20 @@ DeviceRequest JointMove::takeRequest() {
 
 void JointMove::start(const LegLengths& from, double legSpeed, Clock::time_point now) {
     m_trajectory.emplace(from, m_targetLengths, legSpeed);
-    m_started = now;
+    m_started = m_lastStep = now;
+    m_pathTime = std::chrono::nanoseconds(0);
     enter(Phase::Moving, now);
 }
 
-std::optional<LegLengths> JointMove::setPoint(Clock::time_point now) const {
+void JointMove::step(Clock::time_point now, std::chrono::nanoseconds longestStep) {
+    m_pathTime += std::clamp<std::chrono::nanoseconds>(now - m_lastStep, std::chrono::nanoseconds(0), longestStep);
+    m_lastStep = now;
+}
+
+std::optional<LegLengths> JointMove::setPoint() const {
     if (!m_trajectory)
         return std::nullopt;
-    return m_trajectory->at(now - m_started);
+    return m_trajectory->at(m_pathTime);
 }
 
 std::chrono::nanoseconds JointMove::duration() const {
@@ -60,7 +68,7 @@ std::optional<Event> JointMove::update(ControllerState controller, const std::op
     case Phase::Enabling:
         return prepare(controller, now);
     case Phase::Moving:
-        if (now - m_started >= m_trajectory->duration())
+        if (m_pathTime >= m_trajectory->duration())
             enter(Phase::Settling, now);
         return std::nullopt;
     case Phase::Settling:

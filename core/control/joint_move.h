@@ -34,8 +34,11 @@ public:
     DeviceRequest takeRequest();
     /// In phase Ready the caller checks the path once more and starts from `from`, or drops the move.
     void start(const LegLengths& from, double legSpeed, Clock::time_point now);
-    /// Where the legs should be now; nothing before the start.
-    std::optional<LegLengths> setPoint(Clock::time_point now) const;
+    /// Goes on along the path: by the time since the last step, but never by more than longestStep, so that a
+    /// late cycle slows the path and never makes a leap.
+    void step(Clock::time_point now, std::chrono::nanoseconds longestStep);
+    /// Where the legs should be after the last step; nothing before the start.
+    std::optional<LegLengths> setPoint() const;
     /// After each exchange. measured is set for a fresh measurement only. Events: Referenced, Enabled,
     /// Settled, NotSettled, PreparationFailed.
     std::optional<Event> update(ControllerState controller, const std::optional<LegLengths>& measured,
@@ -59,6 +62,8 @@ private:
     Clock::time_point m_phaseBegan;
     std::optional<LegTrajectory> m_trajectory;
     Clock::time_point m_started{};
+    Clock::time_point m_lastStep{};
+    std::chrono::nanoseconds m_pathTime{0};
     std::optional<Clock::time_point> m_insideSince;
     bool m_toldNotSettled = false;
 };

@@ -42,7 +42,7 @@ void ScriptedDevice::obey(DeviceRequest request) {
 
 DeviceFeedback ScriptedDevice::exchange(const SetPoints& setPoints) {
     received.push_back(setPoints);
-    m_now += kPeriod;
+    m_now += kPeriod + std::exchange(late, std::chrono::milliseconds(0));
     obey(setPoints.request);
     if (setPoints.lengths)
         ++m_setNumber;

@@ -307,6 +307,19 @@ TEST_F(ControlLoopTest, AControllerThatTakesNoSetPointsStopsTheMove) {
     EXPECT_EQ(m_device.received.back().request, DeviceRequest::Stop);
 }
 
+TEST_F(ControlLoopTest, AHostThatStoodStillGoesOnWithoutALeap) {
+    startMoving();
+    cycles(40);
+    const std::size_t mark = m_device.received.size();
+    m_device.late = 200ms;
+    until(RunState::Enabled);
+    constexpr double kLegSpeed = 0.04; // m/s, a stroke in 2.5 s
+    for (std::size_t k = mark + 1; k < m_device.received.size(); ++k) {
+        const LegLengths step = *m_device.received[k].lengths - *m_device.received[k - 1].lengths;
+        EXPECT_LE(step.cwiseAbs().maxCoeff(), 1.001 * kLegSpeed * 0.030) << k;
+    }
+}
+
 TEST_F(ControlLoopTest, AProtocolWithoutAnEchoIsJudgedByTheLegsAlone) {
     m_device.echoes = false;
     startMoving();

@@ -16,6 +16,10 @@ constexpr double kWindow = 2e-4;
 
 class JointMoveTest : public ::testing::Test {
 protected:
+    void stepToTheEnd(JointMove& move, JointMove::Clock::time_point now) {
+        move.step(now, move.duration());
+        move.update(ControllerState::Enabled, m_here, kWindow, now);
+    }
     JointMove begin(ControllerState state) { return {Pose{}, m_there, state, kTiming, m_start}; }
     LegLengths m_here = LegLengths::Constant(0.30);
     LegLengths m_there = LegLengths::Constant(0.32);
@@ -33,7 +37,7 @@ TEST_F(JointMoveTest, ReferencesThenEnablesThenIsReady) {
     EXPECT_EQ(move.update(ControllerState::Enabled, m_here, kWindow, m_start + 30ms)->code,
               EventCode::Enabled);
     EXPECT_EQ(move.phase(), Phase::Ready);
-    EXPECT_FALSE(move.setPoint(m_start + 30ms)) << "nothing moves before start()";
+    EXPECT_FALSE(move.setPoint()) << "nothing moves before start()";
 }
 
 TEST_F(JointMoveTest, GivesUpWhenThePreparationDoesNotCome) {
@@ -51,7 +55,7 @@ TEST_F(JointMoveTest, SettlesOnlyAfterTheWholeTimeInsideTheWindow) {
     JointMove move = begin(ControllerState::Enabled);
     move.start(m_here, 0.04, m_start);
     auto now = m_start + move.duration();
-    move.update(ControllerState::Enabled, m_here, kWindow, now);
+    stepToTheEnd(move, now);
     ASSERT_EQ(move.phase(), Phase::Settling);
     move.update(ControllerState::Enabled, m_there, kWindow, now += 10ms);
     EXPECT_FALSE(move.update(ControllerState::Enabled, m_there, kWindow, now += 290ms));
@@ -65,11 +69,31 @@ TEST_F(JointMoveTest, SettlesOnlyAfterTheWholeTimeInsideTheWindow) {
     EXPECT_EQ(move.phase(), Phase::Settled);
 }
 
+TEST_F(JointMoveTest, ALateCycleSlowsThePathAndMakesNoLeap) {
+    constexpr auto kLongestStep = 30ms;
+    constexpr double kLegSpeed = 0.04;
+    JointMove move = begin(ControllerState::Enabled);
+    move.start(m_here, kLegSpeed, m_start);
+    auto now = m_start;
+    LegLengths last = m_here;
+    for (int cycle = 0; move.phase() == Phase::Moving && cycle < 1000; ++cycle) {
+        now += cycle == 40 ? 2000ms : 10ms;
+        move.step(now, kLongestStep);
+        move.update(ControllerState::Enabled, m_here, kWindow, now);
+        const LegLengths next = move.setPoint().value();
+        EXPECT_LE((next - last).cwiseAbs().maxCoeff(), 1.001 * kLegSpeed * 0.030) << cycle;
+        last = next;
+    }
+    EXPECT_EQ(last, m_there);
+    EXPECT_EQ(move.phase(), Phase::Settling);
+    EXPECT_GT(now - m_start, move.duration() + 1900ms);
+}
+
 TEST_F(JointMoveTest, SaysOnceThatItHasNotSettledAndGoesOnWaiting) {
     JointMove move = begin(ControllerState::Enabled);
     move.start(m_here, 0.04, m_start);
     auto now = m_start + move.duration();
-    move.update(ControllerState::Enabled, m_here, kWindow, now);
+    stepToTheEnd(move, now);
     EXPECT_EQ(move.update(ControllerState::Enabled, m_here, kWindow, now += 2001ms)->code,
               EventCode::NotSettled);
     EXPECT_FALSE(move.update(ControllerState::Enabled, m_here, kWindow, now += 5s));
