@@ -4,8 +4,11 @@
 #include "core/control/control_loop.h"
 
 #include "core/control/control_loop_impl.h"
+#include "core/geometry/number_text.h"
+#include "core/geometry/units.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace hexapose {
 
@@ -95,6 +98,34 @@ void ControlLoop::Impl::stop(Event cause) {
     pendingRequest = DeviceRequest::Stop;
 }
 
+/// Where the legs are. A measurement a hair beyond the end of a stroke, by no more than the settle window, is
+/// that end: its noise must not stop a machine that stands there.
+LegLengths ControlLoop::Impl::holdPoint() const {
+    const MotionLimits bounds = limits();
+    LegLengths hold = *measured;
+    for (int i = 0; i < kLegCount; ++i) {
+        const double within = std::min(std::max(hold[i], bounds.minLength[i]), bounds.maxLength[i]);
+        if (std::abs(within - hold[i]) <= options.settleWindow)
+            hold[i] = within;
+    }
+    return hold;
+}
+
+/// Another name or other limits than before: what was judged and sent so far was meant for another machine.
+void ControlLoop::Impl::watchIdentity() {
+    if (!takesCommands())
+        return;
+    Identity now{feedback.controllerName, feedback.minLength, feedback.maxLength};
+    if (identity && *identity != now && (move || commanded)) {
+        std::string detail = now.name;
+        if (now.minLength && now.maxLength)
+            detail += ", " + formatNumber(mmFromMetres(*now.minLength)) + " to " +
+                      formatNumber(mmFromMetres(*now.maxLength)) + " mm";
+        stop({EventCode::StoppedOnNewIdentity, 0.0, detail});
+    }
+    identity = std::move(now);
+}
+
 SetPoints ControlLoop::Impl::nextSetPoints(Clock::time_point time) {
     SetPoints out;
     if (!commanded)
@@ -109,11 +140,16 @@ SetPoints ControlLoop::Impl::nextSetPoints(Clock::time_point time) {
         move->step(time, options.longestPathStep);
         commanded = move->setPoint();
     } else if (!commanded && !monitor.stale()) {
-        commanded = measured; // hold where it is: the controller's watchdog wants to hear us
+        commanded = holdPoint(); // the controller's watchdog wants to hear us
+    }
+    if (!commanded)
+        return out;
+    if (const Verdict verdict = checkLegs(limits(), *commanded); !verdict.ok()) {
+        stop({EventCode::StoppedOnLimits, 0.0, toWords(verdict)});
+        return {std::nullopt, std::exchange(pendingRequest, DeviceRequest::None)};
     }
     out.lengths = commanded;
-    if (commanded)
-        follow.sent(time);
+    follow.sent(time);
     return out;
 }
 
@@ -136,7 +172,7 @@ void ControlLoop::Impl::advanceMove(Clock::time_point time) {
         raise({EventCode::MoveRefused, 0.0, toWords(verdict)});
         return dropMotion();
     }
-    move->start(commanded.value_or(*measured), options.legSpeed, time);
+    move->start(commanded.value_or(holdPoint()), options.legSpeed, time);
     raise({EventCode::MoveStarted, std::chrono::duration<double>(move->duration()).count(), {}});
 }
 
@@ -195,6 +231,7 @@ void ControlLoop::cycle() {
     const Clock::time_point time = loop.now();
     loop.takeFeedback(time);
     loop.noteStateChange(before);
+    loop.watchIdentity();
     loop.watch(time);
     loop.advanceMove(time);
     loop.publish(time);

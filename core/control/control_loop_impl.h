@@ -26,6 +26,7 @@ struct ControlLoop::Impl {
     void takeCommands(Clock::time_point time);
     SetPoints nextSetPoints(Clock::time_point time);
     void takeFeedback(Clock::time_point time);
+    void watchIdentity();
     void watch(Clock::time_point time);
     void advanceMove(Clock::time_point time);
     void publish(Clock::time_point time);
@@ -40,6 +41,7 @@ struct ControlLoop::Impl {
     void takeRefusal(const DeviceNotice& notice, Clock::time_point time);
     void noteStateChange(ControllerState before);
     void solve();
+    LegLengths holdPoint() const;
 
     /// Ends whatever moves and sends Stop; it stays stopped until Clear.
     void stop(Event cause);
@@ -71,6 +73,13 @@ struct ControlLoop::Impl {
     std::mutex commandMutex;
     std::vector<OperatorCommand> commands;
 
+    /// What the controller says of itself.
+    struct Identity {
+        std::string name;
+        std::optional<double> minLength, maxLength;
+        bool operator==(const Identity&) const = default;
+    };
+    std::optional<Identity> identity;
     FeedbackMonitor monitor;
     FollowWatch follow;
     DeviceFeedback feedback;

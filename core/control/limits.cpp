@@ -22,24 +22,6 @@ constexpr double kStrokeSlack = 1e-12;
 /// and in rad.
 constexpr double kSamePose = 1e-6;
 
-Verdict judgeLegs(const MotionLimits& limits, const LegLengths& lengths) {
-    Verdict worst;
-    double worstBy = 0.0;
-    for (int i = 0; i < kLegCount; ++i) {
-        const double above = lengths[i] - limits.maxLength[i] * (1.0 + kStrokeSlack);
-        const double below = limits.minLength[i] * (1.0 - kStrokeSlack) - lengths[i];
-        if (std::max(above, below) <= worstBy)
-            continue;
-        worstBy = std::max(above, below);
-        const bool isAbove = above > below;
-        worst.reason = isAbove ? Verdict::Reason::LegAboveMax : Verdict::Reason::LegBelowMin;
-        worst.leg = i + 1;
-        worst.value = lengths[i];
-        worst.bound = isAbove ? limits.maxLength[i] : limits.minLength[i];
-    }
-    return worst;
-}
-
 bool samePose(const PlatformGeometry& geometry, const Pose& a, const Pose& b) {
     const double angle = (rotationMatrix(a.angles) - rotationMatrix(b.angles)).norm();
     return (a.offset - b.offset).norm() <= kSamePose * geometry.size() && angle <= kSamePose;
@@ -88,10 +70,30 @@ std::string toWords(const Verdict& verdict) {
     return "";
 }
 
+Verdict checkLegs(const MotionLimits& limits, const LegLengths& lengths) {
+    if (!lengths.allFinite())
+        return pathVerdict(Verdict::Reason::NotFinite, 1.0, 0.0, 0.0);
+    Verdict worst;
+    double worstBy = 0.0;
+    for (int i = 0; i < kLegCount; ++i) {
+        const double above = lengths[i] - limits.maxLength[i] * (1.0 + kStrokeSlack);
+        const double below = limits.minLength[i] * (1.0 - kStrokeSlack) - lengths[i];
+        if (std::max(above, below) <= worstBy)
+            continue;
+        worstBy = std::max(above, below);
+        const bool isAbove = above > below;
+        worst.reason = isAbove ? Verdict::Reason::LegAboveMax : Verdict::Reason::LegBelowMin;
+        worst.leg = i + 1;
+        worst.value = lengths[i];
+        worst.bound = isAbove ? limits.maxLength[i] : limits.minLength[i];
+    }
+    return worst;
+}
+
 Verdict checkPose(const PlatformGeometry& geometry, const MotionLimits& limits, const Pose& pose) {
     if (!pose.isFinite())
         return pathVerdict(Verdict::Reason::NotFinite, 1.0, 0.0, 0.0);
-    const Verdict legs = judgeLegs(limits, legLengths(geometry, pose));
+    const Verdict legs = checkLegs(limits, legLengths(geometry, pose));
     if (!legs.ok())
         return legs;
     const SingularityMeasure measure = singularityMeasure(geometry, pose);

@@ -58,6 +58,7 @@ DeviceFeedback ScriptedDevice::exchange(const SetPoints& setPoints) {
     feedback.echoesSetPoints = echoes;
     feedback.acceptedSetPoint = echoes ? m_accepted : std::nullopt;
     feedback.period = kPeriod;
+    feedback.controllerName = name;
     feedback.minLength = minLength;
     feedback.maxLength = maxLength;
     feedback.notices = std::exchange(notices, {});

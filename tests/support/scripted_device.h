@@ -8,6 +8,7 @@
 #include <chrono>
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace hexapose::testing {
@@ -38,6 +39,7 @@ public:
     std::vector<DeviceNotice> notices;       ///< handed out with the next exchange
     double leftToSettle = 0.3;               ///< part of the distance that is left after a period
     std::optional<double> minLength, maxLength;
+    std::string name;
 
     // What the test looks at.
     LegLengths lengths;

@@ -307,6 +307,50 @@ TEST_F(ControlLoopTest, AControllerThatTakesNoSetPointsStopsTheMove) {
     EXPECT_EQ(m_device.received.back().request, DeviceRequest::Stop);
 }
 
+TEST_F(ControlLoopTest, NoSetPointBeyondAStrokeGoesOut) {
+    startMoving();
+    m_device.minLength = 0.250; // told before, and then narrowed below what the path has reached
+    m_device.maxLength = 0.301;
+    cycles(1);
+    EXPECT_EQ(m_last.state, RunState::Stopped);
+    const std::size_t mark = m_device.received.size();
+    cycles(1);
+    EXPECT_EQ(m_device.received[mark].request, DeviceRequest::Stop);
+    EXPECT_EQ(detailOf(EventCode::StoppedOnNewIdentity), ", 250 to 301 mm");
+}
+
+TEST_F(ControlLoopTest, AHeldPlatformBeyondItsStrokesIsStoppedBeforeASetPointGoesOut) {
+    constexpr double kBeyond = 0.001; // m, no noise
+    for (const double beyond : {kBeyond, 0.5 * kSettleWindow}) {
+        SCOPED_TRACE(beyond);
+        m_events.clear();
+        m_device.state = ControllerState::Disabled;
+        m_device.lengths = m_geometry.homeLengths();
+        m_device.lengths[2] = m_geometry.legs[2].minLength - beyond;
+        cycles(2);
+        const std::size_t mark = m_device.received.size();
+        m_loop->post(EnableCommand{});
+        cycles(5);
+        EXPECT_EQ(detailOf(EventCode::StoppedOnLimits),
+                  beyond == kBeyond ? "leg 3 below min_mm" : "no such event");
+        for (std::size_t k = mark; k < m_device.received.size(); ++k) {
+            const auto& sent = m_device.received[k].lengths;
+            EXPECT_TRUE(!sent || (*sent)[2] >= m_geometry.legs[2].minLength);
+        }
+        m_loop->post(ClearCommand{});
+        cycles(2);
+    }
+}
+
+TEST_F(ControlLoopTest, AnotherControllerInMidMoveStopsIt) {
+    startMoving();
+    m_device.name = "Other";
+    cycles(2);
+    EXPECT_EQ(m_last.state, RunState::Stopped);
+    EXPECT_EQ(m_device.received.back().request, DeviceRequest::Stop);
+    EXPECT_EQ(detailOf(EventCode::StoppedOnNewIdentity), "Other");
+}
+
 TEST_F(ControlLoopTest, AHostThatStoodStillGoesOnWithoutALeap) {
     startMoving();
     cycles(40);
