@@ -95,6 +95,7 @@ void ControlLoop::Impl::stop(Event cause) {
     raise(std::move(cause));
     dropMotion();
     stopLatched = takesCommands();
+    clearSent = tookOver = false;
     pendingRequest = DeviceRequest::Stop;
 }
 
@@ -133,7 +134,7 @@ SetPoints ControlLoop::Impl::nextSetPoints(Clock::time_point time) {
     if (pendingRequest == DeviceRequest::None && move)
         request(move->takeRequest());
     out.request = std::exchange(pendingRequest, DeviceRequest::None);
-    if (out.request == DeviceRequest::Stop || stopLatched || !takesCommands() ||
+    if (out.request == DeviceRequest::Stop || stopLatched || !tookOver || !takesCommands() ||
         feedback.state != ControllerState::Enabled)
         return out;
     if (moving()) {
@@ -226,11 +227,10 @@ void ControlLoop::cycle() {
     Impl& loop = *m_impl;
     const Clock::time_point begin = loop.now();
     loop.takeCommands(begin);
-    const ControllerState before = loop.feedback.state;
     loop.feedback = loop.device.exchange(loop.nextSetPoints(begin));
     const Clock::time_point time = loop.now();
     loop.takeFeedback(time);
-    loop.noteStateChange(before);
+    loop.noteStateChange();
     loop.watchIdentity();
     loop.watch(time);
     loop.advanceMove(time);

@@ -42,6 +42,7 @@ void ControlLoop::Impl::on(const RunCommand& command, Clock::time_point time) {
                                    options.referenceTimeout};
     move.emplace(command.target, legLengths(geometry, command.target), feedback.state, timing, time);
     goal = command.target;
+    tookOver = true;
     if (move->phase() == JointMove::Phase::Referencing)
         raise({EventCode::Referencing, 0.0, {}});
 }
@@ -55,13 +56,17 @@ void ControlLoop::Impl::on(const StopCommand&, Clock::time_point) {
 void ControlLoop::Impl::on(const ReferenceCommand&, Clock::time_point) {
     if (!takesCommands() || move || (state() != RunState::Unreferenced && state() != RunState::Disabled))
         return refuse("reference");
+    tookOver = true;
     request(DeviceRequest::Reference);
     raise({EventCode::Referencing, 0.0, {}});
 }
 
 void ControlLoop::Impl::on(const EnableCommand&, Clock::time_point) {
-    if (!takesCommands() || move || state() != RunState::Disabled)
+    // Drives that were on when the link came up are taken over by being asked to go on.
+    const bool canEnable = state() == RunState::Disabled || (state() == RunState::Enabled && !tookOver);
+    if (!takesCommands() || move || !canEnable)
         return refuse("enable");
+    tookOver = true;
     request(DeviceRequest::Enable);
 }
 
@@ -71,6 +76,7 @@ void ControlLoop::Impl::on(const DisableCommand&, Clock::time_point) {
     if (moving())
         return stop({EventCode::StopRequested, 0.0, "disable"});
     dropMotion();
+    tookOver = false;
     request(DeviceRequest::Disable);
 }
 
@@ -78,6 +84,7 @@ void ControlLoop::Impl::on(const ClearCommand&, Clock::time_point) {
     if (!takesCommands() || (state() != RunState::Stopped && state() != RunState::Fault))
         return refuse("clear");
     dropMotion();
+    clearSent = true;
     request(DeviceRequest::Clear);
 }
 

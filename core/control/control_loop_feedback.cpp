@@ -3,6 +3,8 @@
 
 #include "core/control/control_loop_impl.h"
 
+#include <utility>
+
 namespace hexapose {
 
 namespace {
@@ -19,17 +21,28 @@ void ControlLoop::Impl::takeFeedback(Clock::time_point time) {
         measured = feedback.lengths;
         solve();
     }
-    if (feedback.link == LinkState::Lost || feedback.link == LinkState::Connecting) {
-        dropMotion();
-        stopLatched = false; // the controller says its state again when it is back
-        if (feedback.link == LinkState::Lost)
-            monitor.forget();
+    if (feedback.link == LinkState::Connected) {
+        if (std::exchange(stopWhenBack, false))
+            stop({EventCode::StoppedAfterLoss, 0.0, {}});
+        return;
     }
+    stopWhenBack = stopWhenBack || move.has_value();
+    dropMotion();
+    stopLatched = tookOver = false; // the controller says its state again when it is back, and nothing is asked
+    if (feedback.link == LinkState::Lost)
+        monitor.forget();
 }
 
-void ControlLoop::Impl::noteStateChange(ControllerState before) {
-    const ControllerState after = feedback.state;
-    if (before == after)
+void ControlLoop::Impl::noteStateChange() {
+    const ControllerState after = takesCommands() ? feedback.state : ControllerState::Unknown;
+    const ControllerState before = std::exchange(knownState, after);
+    const bool down = after == ControllerState::Disabled || after == ControllerState::Unreferenced;
+    // A controller may answer a stop without a state for it; Clear ends that stop too.
+    if (stopLatched && clearSent && down && feedback.lengths) {
+        stopLatched = clearSent = false;
+        return raise({EventCode::Cleared, 0.0, {}});
+    }
+    if (before == after || after == ControllerState::Unknown)
         return;
     const bool wentDown = after == ControllerState::Stopped || after == ControllerState::Fault ||
                           (before == ControllerState::Enabled && after != ControllerState::Enabled);
@@ -37,8 +50,8 @@ void ControlLoop::Impl::noteStateChange(ControllerState before) {
         if (!stopLatched && (move || before == ControllerState::Enabled))
             raise({EventCode::StoppedByController, 0.0, std::string(1, static_cast<char>(after))});
         dropMotion();
+        tookOver = false;
     }
-    const bool down = after == ControllerState::Disabled || after == ControllerState::Unreferenced;
     if (down && (before == ControllerState::Stopped || before == ControllerState::Fault)) {
         stopLatched = false;
         raise({EventCode::Cleared, 0.0, {}});

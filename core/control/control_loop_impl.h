@@ -39,7 +39,7 @@ struct ControlLoop::Impl {
     void on(const ClearCommand& command, Clock::time_point time);
     void takeNotice(const DeviceNotice& notice, Clock::time_point time);
     void takeRefusal(const DeviceNotice& notice, Clock::time_point time);
-    void noteStateChange(ControllerState before);
+    void noteStateChange();
     void solve();
     LegLengths holdPoint() const;
 
@@ -93,7 +93,11 @@ struct ControlLoop::Impl {
     std::optional<LegLengths> commanded;
     std::optional<Pose> commandedPose;
     std::optional<Pose> goal;
-    bool stopLatched = false; ///< Stop was asked for, by the operator or by us, and not yet cleared
+    bool stopLatched = false;  ///< Stop was asked for, by the operator or by us, and not yet cleared
+    bool clearSent = false;    ///< since the last stop
+    bool tookOver = false;     ///< the operator asked for something on this link: set-points may go out
+    bool stopWhenBack = false; ///< the link was lost in mid-move
+    ControllerState knownState = ControllerState::Unknown; ///< of this link
     DeviceRequest pendingRequest = DeviceRequest::None;
     bool wasStale = true;
     Clock::time_point lastSetRefusal{};

@@ -29,7 +29,8 @@ void ScriptedDevice::obey(DeviceRequest request) {
         state = ControllerState::Disabled;
         break;
     case DeviceRequest::Stop:
-        state = ControllerState::Stopped;
+        if (!stopsOnlyWhenEnabled || state == ControllerState::Enabled)
+            state = ControllerState::Stopped;
         break;
     case DeviceRequest::Clear:
         if (down)

@@ -33,6 +33,7 @@ public:
     bool ignoresEnable = false;              ///< stays disabled
     bool stuck = false;                      ///< legs do not move
     bool deaf = false;                       ///< takes no set-point and echoes none
+    bool stopsOnlyWhenEnabled = false;       ///< as the protocol's diagram of states has it
     std::chrono::milliseconds late{0};       ///< added to the next exchange: the host stood still
     bool echoes = true;                      ///< tells which set-point it accepted last
     std::optional<LegLengths> reportInstead; ///< a bad measurement

@@ -76,6 +76,18 @@ protected:
         return false;
     }
 
+    bool anySetPointSince(std::size_t mark) const {
+        return std::any_of(m_device.received.begin() + static_cast<std::ptrdiff_t>(mark), m_device.received.end(),
+                           [](const SetPoints& sent) { return sent.lengths.has_value(); });
+    }
+    std::vector<DeviceRequest> requestsSince(std::size_t mark) const {
+        std::vector<DeviceRequest> requests;
+        for (std::size_t k = mark; k < m_device.received.size(); ++k)
+            if (m_device.received[k].request != DeviceRequest::None)
+                requests.push_back(m_device.received[k].request);
+        return requests;
+    }
+
     PlatformGeometry m_geometry = loadPlatform(HEXAPOSE_SOURCE_DIR "/resources/platforms/laboratory.toml");
     ScriptedDevice m_device{m_geometry};
     NewtonRaphson m_solver{m_geometry, NewtonOptions{}};
@@ -244,8 +256,49 @@ TEST_F(ControlLoopTest, ALostPortShowsNothingAsLiveAndComesBackAtRest) {
     m_device.link = LinkState::Connected;
     const std::size_t mark = m_device.received.size();
     cycles(100);
-    EXPECT_FALSE(motionWasSentSince(mark));
+    EXPECT_FALSE(anySetPointSince(mark));
     EXPECT_FALSE(m_last.stale);
+    EXPECT_EQ(requestsSince(mark), std::vector{DeviceRequest::Stop}) << "it was lost in mid-move";
+    EXPECT_TRUE(saw(EventCode::StoppedAfterLoss));
+    EXPECT_FALSE(saw(EventCode::StoppedByController));
+    EXPECT_EQ(m_last.state, RunState::Stopped);
+}
+
+TEST_F(ControlLoopTest, NothingIsSentToAControllerThatIsEnabledAlreadyUntilTheOperatorActs) {
+    m_device.state = ControllerState::Enabled;
+    cycles(50);
+    EXPECT_FALSE(anySetPointSince(0));
+    EXPECT_EQ(m_last.state, RunState::Enabled);
+    m_loop->post(EnableCommand{});
+    cycles(5);
+    EXPECT_EQ(requestsSince(0), std::vector{DeviceRequest::Enable});
+    EXPECT_TRUE(anySetPointSince(0)) << "held from here on";
+
+    m_device.link = LinkState::Lost;
+    cycles(5);
+    m_device.link = LinkState::Connected;
+    const std::size_t mark = m_device.received.size();
+    cycles(50);
+    EXPECT_FALSE(anySetPointSince(mark));
+    EXPECT_TRUE(requestsSince(mark).empty()) << "nothing moved when it was lost";
+    EXPECT_FALSE(saw(EventCode::StoppedByController));
+    EXPECT_FALSE(saw(EventCode::StoppedAfterLoss));
+    run();
+    until(RunState::Moving);
+    until(RunState::Enabled);
+}
+
+TEST_F(ControlLoopTest, ClearEndsAStopThatTheControllerHasNoStateFor) {
+    m_device.stopsOnlyWhenEnabled = true;
+    m_device.state = ControllerState::Disabled;
+    cycles(2);
+    m_loop->post(StopCommand{});
+    cycles(5);
+    EXPECT_EQ(m_last.state, RunState::Stopped);
+    m_loop->post(ClearCommand{});
+    cycles(2);
+    EXPECT_EQ(m_last.state, RunState::Disabled);
+    EXPECT_TRUE(saw(EventCode::Cleared));
 }
 
 TEST_F(ControlLoopTest, AnUnprotectedSenderIsShownAndNeverCommanded) {
