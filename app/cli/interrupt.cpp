@@ -18,6 +18,7 @@ void catchInterrupts() {
     const auto remember = [](int number) { receivedSignal = number; };
     std::signal(SIGINT, remember);
     std::signal(SIGTERM, remember);
+    std::signal(SIGHUP, remember);
 }
 
 bool interrupted() {

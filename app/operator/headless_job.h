@@ -22,6 +22,8 @@ public:
     /// output: empty for beside the log.
     HeadlessJob(OperatorWindow& window, const std::filesystem::path& output, QObject* parent = nullptr);
     void start();
+    /// Stops, disables and ends with the status of a failure.
+    void interrupt() { fail(QStringLiteral("interrupted")); }
 
 signals:
     /// exitStatus: 0 or 1.

@@ -3,6 +3,7 @@
 #include "app/common/directories.h"
 #include "app/common/port_check.h"
 #include "app/operator/console.h"
+#include "app/operator/end_signals.h"
 #include "app/operator/headless_job.h"
 #include "app/operator/operator_options.h"
 #include "core/geometry/geometry_file.h"
@@ -54,6 +55,7 @@ int runConsole(const OperatorOptions& options, const PlatformGeometry& geometry)
     static char name[] = "hexapose";
     static char* arguments[] = {name, nullptr};
     int count = 1;
+    EndSignals endSignals; // before Qt starts a thread
     qInstallMessageHandler(tellMessage);
     QApplication application(count, arguments);
     if (!options.headless) {
@@ -69,6 +71,16 @@ int runConsole(const OperatorOptions& options, const PlatformGeometry& geometry)
 
     Console console(application, options, geometry);
     HeadlessJob job(console.window(), options.output);
+    // As by Disconnect: stop, disable, close the log; then the program ends.
+    QObject::connect(&endSignals, &EndSignals::received, &application, [&] {
+        if (options.headless) {
+            job.interrupt();
+        } else {
+            console.window().disconnectFrom();
+            QCoreApplication::exit(0);
+        }
+    });
+    endSignals.watch();
     console.start();
     if (options.headless) {
         QObject::connect(&job, &HeadlessJob::finished, &application, &QCoreApplication::exit,

@@ -111,6 +111,46 @@ TEST(Console, HeadlessFailsWithTheReasonWhenTheControllerFallsSilent) {
     EXPECT_THAT(controller.payloads(), Contains("STOP"));
 }
 
+/// Ends the console in mid-move by a signal.
+void expectEndsBy(int signal) {
+    SCOPED_TRACE(signal);
+    const Scratch scratch;
+    ForeignController::Traits traits;
+    traits.bootState = 'D';
+    ForeignController controller(scratch.path("port"), traits, {});
+    Process console({HEXAPOSE_CONSOLE, "--headless", "--output", scratch.path("out"), "--log-dir",
+                     scratch.path("logs"), "--port", scratch.path("port")});
+    ASSERT_TRUE(controller.waitFor([&] { return controller.payloads("SET").size() > 30; }));
+    console.signal(signal);
+    const Outcome outcome = console.wait();
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(outcome.err, "hexapose: interrupted\n");
+    EXPECT_TRUE(controller.waitFor([&] { return controller.state() != 'E'; }));
+    EXPECT_THAT(controller.payloads(), Contains("STOP"));
+    EXPECT_THAT(controller.payloads(), Contains("DISABLE"));
+    EXPECT_THAT(controller.violations(), IsEmpty());
+    EXPECT_EQ(controller.watchdogTrips(), 0) << "stopped by the host";
+}
+
+TEST(Console, StopsAndDisablesWhenASignalEndsIt) {
+    for (const int signal : {SIGTERM, SIGINT, SIGHUP})
+        expectEndsBy(signal);
+}
+
+TEST(Console, WithAWindowEndsInOrderByASignal) {
+    const Scratch scratch;
+    ForeignController::Traits traits;
+    traits.bootState = 'E'; // somebody else's: nothing of the console's own moves it
+    traits.hellosNeeded = 1;
+    ForeignController controller(scratch.path("port"), traits, {});
+    Process console({HEXAPOSE_CONSOLE, "--log-dir", scratch.path("logs"), "--port", scratch.path("port")}, {},
+                    {{"QT_QPA_PLATFORM", "offscreen"}});
+    ASSERT_TRUE(controller.waitFor([&] { return controller.watchdogTrips() == 1; })) << "held unasked";
+    console.signal(SIGTERM);
+    EXPECT_EQ(console.wait().status, 0);
+    EXPECT_THAT(controller.payloads("SET"), IsEmpty()) << "nobody asked for a set-point";
+}
+
 TEST(Console, BadOptionsAreRefused) {
     const Scratch scratch;
     scratch.file("plain", "a regular file\n");

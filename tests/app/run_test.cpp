@@ -306,11 +306,12 @@ bool hasMoved(const ForeignController& controller, double mm) {
     return controller.state() == 'E' && std::abs(legs[0] - home[0]) > mm;
 }
 
-TEST(Run, InterruptedStopsThePlatform) {
+void expectStoppedBy(int signal) {
+    SCOPED_TRACE(signal);
     Bench bench(asTheyAre({}));
     Process program(cliWords(bench.words()));
     ASSERT_TRUE(bench.controller.waitFor([&] { return hasMoved(bench.controller, 5.0); }));
-    program.signal(SIGINT);
+    program.signal(signal);
     const Outcome outcome = program.wait();
     EXPECT_EQ(outcome.status, 1);
     EXPECT_EQ(notOneLineWith(outcome.err, {"interrupted"}), "");
@@ -318,6 +319,11 @@ TEST(Run, InterruptedStopsThePlatform) {
     EXPECT_NE(bench.controller.state(), 'E');
     EXPECT_EQ(bench.controller.watchdogTrips(), 0) << "stopped, not merely left alone";
     EXPECT_THAT(bench.controller.violations(), IsEmpty());
+}
+
+TEST(Run, InterruptedStopsThePlatform) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+        expectStoppedBy(signal);
 }
 
 TEST(Run, KilledLosesATenthOfASecondOfTheLog) {
