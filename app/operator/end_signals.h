@@ -8,8 +8,8 @@ class QSocketNotifier;
 
 namespace hexapose {
 
-/// SIGINT, SIGTERM and SIGHUP as an event of the event loop, so that the platform is stopped and disabled in the
-/// ordinary way. Made before any thread is started: each inherits that these signals wait.
+/// SIGINT, SIGTERM and SIGHUP as an event of the event loop, so that the platform is stopped and disabled in
+/// the ordinary way. Made before any thread is started: each inherits that these signals wait.
 class EndSignals final : public QObject {
     Q_OBJECT
 public:

@@ -23,7 +23,8 @@ struct ControlOptions {
         0.0; ///< m, largest leg error that counts as there; 0: 0.2 mm, less for tiny strokes
     double followingLimit = 0.0; ///< m, a leg further than this from its set-point stops; 0: of the size
     std::chrono::milliseconds echoWithin{300}; ///< set-points unaccepted for so long stop
-    std::chrono::milliseconds longestPathStep{30}; ///< of the path's time in a cycle; ordinary ones take 15 at most
+    std::chrono::milliseconds longestPathStep{
+        30}; ///< of the path's time in a cycle; ordinary ones take 15 at most
     std::chrono::milliseconds settleTime{300}; ///< inside the window for so long
     std::chrono::milliseconds settleTimeout{10000};
     std::chrono::milliseconds staleAfter{200};     ///< at least; three feedback periods when those are longer

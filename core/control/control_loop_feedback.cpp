@@ -28,7 +28,8 @@ void ControlLoop::Impl::takeFeedback(Clock::time_point time) {
     }
     stopWhenBack = stopWhenBack || move.has_value();
     dropMotion();
-    stopLatched = tookOver = false; // the controller says its state again when it is back, and nothing is asked
+    stopLatched = tookOver =
+        false; // the controller says its state again when it is back, and nothing is asked
     if (feedback.link == LinkState::Lost)
         monitor.forget();
 }

@@ -47,7 +47,8 @@ void JointMove::start(const LegLengths& from, double legSpeed, Clock::time_point
 }
 
 void JointMove::step(Clock::time_point now, std::chrono::nanoseconds longestStep) {
-    m_pathTime += std::clamp<std::chrono::nanoseconds>(now - m_lastStep, std::chrono::nanoseconds(0), longestStep);
+    m_pathTime +=
+        std::clamp<std::chrono::nanoseconds>(now - m_lastStep, std::chrono::nanoseconds(0), longestStep);
     m_lastStep = now;
 }
 

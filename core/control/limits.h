@@ -47,7 +47,8 @@ struct Verdict {
 /// "invalid-input", "near singular", "other branch", "path near singular at 63 %".
 std::string toWords(const Verdict& verdict);
 
-/// Leg lengths alone: finite, and in their strokes. Of several legs out of stroke the one furthest out is named.
+/// Leg lengths alone: finite, and in their strokes. Of several legs out of stroke the one furthest out is
+/// named.
 Verdict checkLegs(const MotionLimits& limits, const LegLengths& lengths);
 
 /// The pose alone: finite, strokes, singularity margin. Of several legs out of stroke the one furthest out is

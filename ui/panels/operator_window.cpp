@@ -12,9 +12,11 @@
 #include "ui/panels/status_panel.h"
 #include "ui/panels/target_panel.h"
 
+#include <QApplication>
 #include <QButtonGroup>
 #include <QCloseEvent>
 #include <QFileInfo>
+#include <QKeyEvent>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QStackedWidget>
@@ -48,6 +50,7 @@ OperatorWindow::OperatorWindow(const PlatformGeometry& geometry, PortList ports,
     m_status->setPlatform(QString::fromStdString(geometry.name));
     retranslate();
     m_tick.setInterval(kTickMs);
+    qApp->installEventFilter(this);
     connect(&m_tick, &QTimer::timeout, this, &OperatorWindow::tick);
     m_tick.start();
 }
@@ -197,6 +200,18 @@ void OperatorWindow::showLatest() {
 
 void OperatorWindow::showPage(int page) {
     m_pageGroup->button(page)->setChecked(true);
+}
+
+/// A popup, a menu or a dialog takes Esc for itself, before the shortcut of Stop. It shall stop then too, at
+/// the first press; what else it does there it goes on to do.
+bool OperatorWindow::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::KeyPress && watched->isWidgetType()) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        if (key->key() == Qt::Key_Escape && !key->isAutoRepeat()) {
+            emit m_target->stopRequested();
+        }
+    }
+    return QMainWindow::eventFilter(watched, event);
 }
 
 void OperatorWindow::closeEvent(QCloseEvent* event) {

@@ -60,6 +60,7 @@ signals:
     void eventHappened(const hexapose::Event& event);
 
 protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void changeEvent(QEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
 

@@ -77,7 +77,8 @@ protected:
     }
 
     bool anySetPointSince(std::size_t mark) const {
-        return std::any_of(m_device.received.begin() + static_cast<std::ptrdiff_t>(mark), m_device.received.end(),
+        return std::any_of(m_device.received.begin() + static_cast<std::ptrdiff_t>(mark),
+                           m_device.received.end(),
                            [](const SetPoints& sent) { return sent.lengths.has_value(); });
     }
     std::vector<DeviceRequest> requestsSince(std::size_t mark) const {

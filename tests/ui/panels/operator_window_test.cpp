@@ -6,11 +6,16 @@
 #include "ui/common/pose_field.h"
 #include "ui/panels/event_list.h"
 #include "ui/panels/operator_window.h"
+#include "ui/panels/target_panel.h"
 
 #include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QAbstractSpinBox>
+#include <QApplication>
 #include <QComboBox>
 #include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTableView>
@@ -139,6 +144,30 @@ TEST_F(OperatorWindowTest, EveryControlHasANameInEveryLanguage) {
     check();
     EXPECT_EQ(findByName(window, QStringLiteral("Run")), nullptr);
     EXPECT_NE(spoken("Solver"), "Newton"); // found by no English name any more
+}
+
+TEST_F(OperatorWindowTest, EscStopsAtTheFirstPressWhileAPopupIsOpen) {
+    int stops = 0;
+    QObject::connect(&window.targetPanel(), &TargetPanel::stopRequested, &window, [&stops] { ++stops; });
+    auto* box = qobject_cast<QComboBox*>(findByName(window, QStringLiteral("Connection"))->parentWidget());
+    if (box == nullptr) {
+        box = qobject_cast<QComboBox*>(findByName(window, QStringLiteral("Connection")));
+    }
+    ASSERT_NE(box, nullptr);
+    box->showPopup();
+    ASSERT_NE(QApplication::activePopupWidget(), nullptr);
+    QTest::keyClick(QApplication::activePopupWidget()->windowHandle(), Qt::Key_Escape);
+    EXPECT_GE(stops, 1);
+    EXPECT_FALSE(box->view()->isVisible()) << "it closes as it always did";
+
+    stops = 0;
+    QMenu* menu = window.menuBar()->addMenu(QStringLiteral("Anything"));
+    menu->addAction(QStringLiteral("some"));
+    menu->popup(window.mapToGlobal(QPoint(5, 5)));
+    ASSERT_EQ(QApplication::activePopupWidget(), menu);
+    QTest::keyClick(menu->windowHandle(), Qt::Key_Escape);
+    EXPECT_GE(stops, 1);
+    EXPECT_FALSE(menu->isVisible());
 }
 
 TEST_F(OperatorWindowTest, SilentLoopIsShownAsOldData) {
