@@ -26,6 +26,7 @@ void AttitudeRun::run(const std::function<bool()>& interrupted) {
         m_loop.cycle();
     if (!m_failure && m_sequence.phase() != AttitudeSequence::Phase::Done)
         m_failure = "interrupted";
+    m_ended = true;
     m_loop.shutDown();
 }
 
@@ -41,6 +42,11 @@ void AttitudeRun::checkConnection(const Snapshot& snapshot) {
 
 void AttitudeRun::take(const Snapshot& snapshot) {
     m_log.append(snapshot);
+    if (m_ended) { // the closing has something to say
+        for (const Event& event : snapshot.events)
+            m_failure = (m_failure ? *m_failure + "; " : "") + formatEvent(event);
+        return;
+    }
     m_connected = m_connected || snapshot.state != RunState::Disconnected;
     if (!m_connected || snapshot.link == LinkState::ListenOnly)
         checkConnection(snapshot);

@@ -50,6 +50,7 @@ private:
     bool m_connected = false;
     bool m_clearPosted = false;
     bool m_over = false;
+    bool m_ended = false; ///< nothing but the closing is left
 };
 
 } // namespace hexapose

@@ -22,7 +22,7 @@ constexpr double kSettleOfStroke = 2e-3; ///< for machines with tiny strokes
 /// whose legs lag by 10 mm at most.
 constexpr double kFollowingOfSize = 0.08;
 constexpr double kOrdinaryLag = 0.3; ///< s; a machine of long strokes for its size may lag further
-constexpr int kShutDownExchanges = 20;
+constexpr std::chrono::milliseconds kShutDownWithin{1500}; ///< a disabling is repeated for so long
 
 ControlOptions completed(ControlOptions options, const PlatformGeometry& geometry) {
     double stroke = 0.0;
@@ -243,13 +243,23 @@ void ControlLoop::shutDown() {
         return;
     // A stop that the last cycle decided on has not gone out yet.
     const bool stopFirst = loop.move.has_value() || loop.pendingRequest == DeviceRequest::Stop;
+    const bool disable = loop.feedback.state == ControllerState::Enabled;
     loop.dropMotion();
     if (stopFirst)
         loop.feedback = loop.device.exchange({std::nullopt, DeviceRequest::Stop});
-    if (loop.feedback.state == ControllerState::Enabled)
+    if (disable)
         loop.feedback = loop.device.exchange({std::nullopt, DeviceRequest::Disable});
-    for (int i = 0; i < kShutDownExchanges && loop.feedback.state == ControllerState::Enabled; ++i)
+    const auto on = [&loop] {
+        return loop.takesCommands() && loop.feedback.state == ControllerState::Enabled;
+    };
+    const Clock::time_point begin = loop.now();
+    while (on() && loop.now() - begin < kShutDownWithin)
         loop.feedback = loop.device.exchange({});
+    if (!on())
+        return;
+    loop.feedback.lengths.reset();
+    loop.raise({EventCode::DisableUnconfirmed, 0.0, {}});
+    loop.publish(loop.now());
 }
 
 } // namespace hexapose

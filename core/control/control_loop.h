@@ -48,8 +48,8 @@ public:
 
     void post(const OperatorCommand& command);
     void cycle();
-    /// Stops motion and disables before the port is closed: sends Stop, then Disable, and returns. Never
-    /// starts anything.
+    /// Stops motion and disables before the port is closed: sends Stop, then Disable, and returns when the
+    /// drives are off, or says in a last Snapshot that they may not be. Never starts anything.
     void shutDown();
 
 private:

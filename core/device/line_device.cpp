@@ -46,6 +46,7 @@ void LineDevice::Impl::sendStop(bool asked, Time time) {
         pending.clear();
         pending.sent("STOP", time);
         stop.begin(time);
+        disable.confirm();
         channel->dropUnsent();
     }
     if (stop.takeDue(time, options.stopEvery, options.stopGiveUpAfter))
@@ -67,6 +68,8 @@ void LineDevice::Impl::sendHandshake(Time time) {
 }
 
 void LineDevice::Impl::sendRequest(DeviceRequest request, Time time) {
+    if (request == DeviceRequest::None && disable.takeDue(time, options.stopEvery, options.stopGiveUpAfter))
+        return write(line::Disable{});
     const std::optional<line::LineMessage> message = line::messageOf(request);
     if (!message || request == DeviceRequest::Stop)
         return;
@@ -77,6 +80,11 @@ void LineDevice::Impl::sendRequest(DeviceRequest request, Time time) {
         return note(Kind::Refused, type, "STATE the stop is not confirmed yet");
     write(*message);
     pending.sent(type, time);
+    disable.confirm();
+    if (request == DeviceRequest::Disable) {
+        disable.begin(time);
+        disable.takeDue(time, options.stopEvery, options.stopGiveUpAfter); // it has just been sent
+    }
 }
 
 void LineDevice::Impl::sendLengths(const LegLengths& lengths, Time time) {

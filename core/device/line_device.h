@@ -16,7 +16,7 @@ struct LineDeviceOptions {
     std::chrono::milliseconds longestWait{15};    ///< of one exchange for a measurement
     std::chrono::milliseconds helloEvery{400};    ///< until the controller says who it is
     std::chrono::milliseconds answerWithin{1000}; ///< then the answer is missed
-    std::chrono::milliseconds stopEvery{100};     ///< until the stop is confirmed
+    std::chrono::milliseconds stopEvery{100};     ///< until the stop, or the disabling, is confirmed
     std::chrono::milliseconds stopGiveUpAfter{5000};
     std::chrono::milliseconds silentAfter{1000}; ///< no good frame for so long: no set-points, ask again
     std::chrono::milliseconds pauseOfSender{50}; ///< a byte after such a pause begins a line

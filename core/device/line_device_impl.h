@@ -52,7 +52,8 @@ struct LineDevice::Impl {
     line::FrameReader reader{line::Side::Host};
     line::FrameOrder order;
     line::PendingRequests pending;
-    line::StopRepeater stop;
+    line::Repeater stop;
+    line::Repeater disable;
     DeviceFeedback feedback;
     std::optional<Time> lastHello;
     Time lastHeard; ///< last good frame or line

@@ -69,6 +69,8 @@ void LineDevice::Impl::take(const line::UnsupportedIdent& ident) {
 void LineDevice::Impl::take(const line::Ok& ok) {
     if (ok.request == "STOP")
         stop.confirm();
+    if (ok.request == "DISABLE")
+        disable.confirm();
     if (pending.answered(ok.request) && ok.request == "PERIOD") {
         feedback.period = options.desiredPeriod;
         periodTries = 0;
@@ -81,6 +83,8 @@ void LineDevice::Impl::take(const line::Err& err) {
         return complainOnce(err.request, text);
     if (err.request == "STOP") // asked again until it is confirmed
         return complainOnce(err.request, text);
+    if (err.request == "DISABLE")
+        disable.confirm();
     pending.answered(err.request);
     if (err.request == "PERIOD") {
         periodTries = 0;
@@ -107,6 +111,10 @@ void LineDevice::Impl::take(const line::Len& len, Time time) {
     feedback.state = len.state;
     feedback.echoesSetPoints = true;
     feedback.acceptedSetPoint = len.setNumber < 0 ? std::nullopt : std::optional(len.setNumber);
+    if (len.state == ControllerState::Disabled && disable.active()) {
+        disable.confirm();
+        pending.answered("DISABLE");
+    }
     if (len.state == ControllerState::Stopped) {
         stop.confirm();
         pending.answered("STOP");
@@ -129,6 +137,7 @@ void LineDevice::Impl::beginAgain() {
     identified = false;
     lastHello.reset();
     pending.clear();
+    disable.confirm();
     periodTries = 0;
     feedback.link = LinkState::Connecting;
     feedback.period = std::chrono::milliseconds(0);

@@ -49,13 +49,12 @@ std::vector<std::string> PendingRequests::takeOverdue(Time time, std::chrono::mi
     return overdue;
 }
 
-void StopRepeater::begin(Time time) {
+void Repeater::begin(Time time) {
     m_begun = time;
     m_nextDue = time;
 }
 
-bool StopRepeater::takeDue(Time time, std::chrono::milliseconds every,
-                           std::chrono::milliseconds giveUpAfter) {
+bool Repeater::takeDue(Time time, std::chrono::milliseconds every, std::chrono::milliseconds giveUpAfter) {
     if (!m_begun || time < m_nextDue)
         return false;
     if (time - *m_begun > giveUpAfter) {

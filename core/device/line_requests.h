@@ -37,8 +37,8 @@ private:
     std::vector<Pending> m_pending;
 };
 
-/// A stop on its way: repeated until the controller confirms it.
-class StopRepeater {
+/// A request on its way that must arrive: repeated until the controller confirms it.
+class Repeater {
 public:
     using Time = std::chrono::steady_clock::time_point;
 

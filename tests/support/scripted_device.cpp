@@ -26,7 +26,8 @@ void ScriptedDevice::obey(DeviceRequest request) {
             state = ControllerState::Enabled;
         break;
     case DeviceRequest::Disable:
-        state = ControllerState::Disabled;
+        if (!ignoresDisable)
+            state = ControllerState::Disabled;
         break;
     case DeviceRequest::Stop:
         if (!stopsOnlyWhenEnabled || state == ControllerState::Enabled)

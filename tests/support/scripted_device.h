@@ -31,6 +31,7 @@ public:
     LinkState link = LinkState::Connected;
     bool silent = false;                     ///< no measurement comes
     bool ignoresEnable = false;              ///< stays disabled
+    bool ignoresDisable = false;             ///< stays enabled
     bool stuck = false;                      ///< legs do not move
     bool deaf = false;                       ///< takes no set-point and echoes none
     bool stopsOnlyWhenEnabled = false;       ///< as the protocol's diagram of states has it

@@ -450,6 +450,16 @@ TEST_F(ControlLoopTest, AHeldPlatformThatIsShutDownIsDisabled) {
     until(RunState::Enabled);
     m_loop->shutDown();
     EXPECT_EQ(m_device.state, ControllerState::Disabled);
+    EXPECT_FALSE(saw(EventCode::DisableUnconfirmed));
+}
+
+TEST_F(ControlLoopTest, ADisablingThatIsNeverConfirmedIsTold) {
+    startMoving();
+    until(RunState::Enabled);
+    m_device.ignoresDisable = true;
+    m_loop->shutDown();
+    EXPECT_TRUE(saw(EventCode::DisableUnconfirmed));
+    EXPECT_FALSE(m_last.fresh);
 }
 
 TEST_F(ControlLoopTest, CommandsMayComeFromAnotherThread) {

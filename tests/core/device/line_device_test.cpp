@@ -128,6 +128,26 @@ TEST(LineDevice, StopIsSentEvenBeforeTheControllerIsKnownAndGivesUpInTheEnd) {
     EXPECT_LE(stops, 51);
 }
 
+TEST(LineDevice, DisableIsRepeatedUntilItIsConfirmed) {
+    for (const std::string answer : {"OK,DISABLE", "ERR,DISABLE,STATE,no", "state"}) {
+        Host host;
+        host.connect();
+        host.script.len(0, 1, 'E');
+        host.device.exchange(request(DeviceRequest::Disable));
+        EXPECT_EQ(host.script.takeSent(), Sent{"DISABLE"});
+        host.pass(285ms);
+        EXPECT_EQ(host.script.takeSent(), (Sent{"DISABLE", "DISABLE"}));
+        if (answer == "state")
+            host.script.len(1, 2, 'D');
+        else
+            host.script.say(answer);
+        host.device.exchange({});
+        host.script.takeSent();
+        EXPECT_EQ(count(host.pass(800ms).notices, Kind::NoAnswer), 0);
+        EXPECT_EQ(count(host.script.takeSent(), "DISABLE"), 0) << answer;
+    }
+}
+
 TEST(LineDevice, RequestsGoOutOnceAndAMissingAnswerIsTold) {
     const std::pair<DeviceRequest, const char*> rows[] = {{DeviceRequest::Reference, "HOME"},
                                                           {DeviceRequest::Enable, "ENABLE"},
@@ -145,7 +165,8 @@ TEST(LineDevice, RequestsGoOutOnceAndAMissingAnswerIsTold) {
         const DeviceFeedback late = host.pass(5s);
         ASSERT_EQ(count(late.notices, Kind::NoAnswer), 1);
         EXPECT_EQ(late.notices[0].request, type);
-        EXPECT_EQ(count(host.script.takeSent(), type), 0);
+        if (what != DeviceRequest::Disable) // that one is repeated
+            EXPECT_EQ(count(host.script.takeSent(), type), 0);
 
         host.script.say("OK," + std::string(type), 1ms);
         host.device.exchange(request(what));
