@@ -96,6 +96,7 @@ void ControlLoop::Impl::stop(Event cause) {
     dropMotion();
     stopLatched = takesCommands();
     clearSent = tookOver = false;
+    referenceTries = 0;
     pendingRequest = DeviceRequest::Stop;
 }
 

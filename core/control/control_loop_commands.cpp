@@ -41,6 +41,8 @@ void ControlLoop::Impl::on(const RunCommand& command, Clock::time_point time) {
     const JointMove::Timing timing{options.settleTime, options.settleTimeout, options.enableTimeout,
                                    options.referenceTimeout};
     move.emplace(command.target, legLengths(geometry, command.target), feedback.state, timing, time);
+    askToReference();
+    enableTries = kTriesAgain;
     goal = command.target;
     tookOver = true;
     if (move->phase() == JointMove::Phase::Referencing)
@@ -57,6 +59,7 @@ void ControlLoop::Impl::on(const ReferenceCommand&, Clock::time_point) {
     if (!takesCommands() || move || (state() != RunState::Unreferenced && state() != RunState::Disabled))
         return refuse("reference");
     tookOver = true;
+    askToReference();
     request(DeviceRequest::Reference);
     raise({EventCode::Referencing, 0.0, {}});
 }
@@ -77,6 +80,7 @@ void ControlLoop::Impl::on(const DisableCommand&, Clock::time_point) {
         return stop({EventCode::StopRequested, 0.0, "disable"});
     dropMotion();
     tookOver = false;
+    referenceTries = 0;
     request(DeviceRequest::Disable);
 }
 

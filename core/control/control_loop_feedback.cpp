@@ -73,7 +73,10 @@ void ControlLoop::Impl::takeNotice(const DeviceNotice& notice, Clock::time_point
     case DeviceNotice::Kind::Fault:
         return raise({EventCode::ControllerFault, 0.0, notice.request + " " + notice.text});
     case DeviceNotice::Kind::NoAnswer:
-        return raise({EventCode::NoAnswer, 0.0, notice.request});
+        return takeNoAnswer(notice);
+    case DeviceNotice::Kind::Acknowledged:
+        referenceTaken = referenceTaken || notice.request == "HOME";
+        return;
     case DeviceNotice::Kind::ClockWentBack:
         if (move)
             stop({EventCode::ClockWentBack, 0.0, {}});
@@ -84,6 +87,26 @@ void ControlLoop::Impl::takeNotice(const DeviceNotice& notice, Clock::time_point
         return raise({EventCode::ListenOnly, 0.0, {}});
     case DeviceNotice::Kind::LinkLost:
         return raise({EventCode::LinkLost, 0.0, notice.text});
+    }
+}
+
+/// A frame may be lost: what prepares a motion is asked for again, and given up soon when nothing answers.
+void ControlLoop::Impl::takeNoAnswer(const DeviceNotice& notice) {
+    raise({EventCode::NoAnswer, 0.0, notice.request});
+    const bool preparing = move && (move->phase() == JointMove::Phase::Referencing ||
+                                    move->phase() == JointMove::Phase::Enabling);
+    const bool home = notice.request == "HOME" && !referenceTaken;
+    const bool enable = notice.request == "ENABLE" && preparing;
+    if (!takesCommands() || (!home && !enable))
+        return;
+    int& tries = home ? referenceTries : enableTries;
+    if (tries > 0) {
+        --tries;
+        return request(home ? DeviceRequest::Reference : DeviceRequest::Enable);
+    }
+    if (preparing) {
+        dropMotion();
+        raise({EventCode::PreparationFailed, 0.0, notice.request + " was not answered"});
     }
 }
 
@@ -104,6 +127,8 @@ void ControlLoop::Impl::takeRefusal(const DeviceNotice& notice, Clock::time_poin
             return;
         lastSetRefusal = time;
         lastSetRefusalText = what;
+    } else if (notice.request == "HOME" && referenceTaken) {
+        // Asked again before a late answer came: it refers to the asking again.
     } else if (move && (notice.request == "HOME" || notice.request == "ENABLE")) {
         dropMotion();
         return raise({EventCode::PreparationFailed, 0.0, what});

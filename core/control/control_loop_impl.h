@@ -38,6 +38,7 @@ struct ControlLoop::Impl {
     void on(const DisableCommand& command, Clock::time_point time);
     void on(const ClearCommand& command, Clock::time_point time);
     void takeNotice(const DeviceNotice& notice, Clock::time_point time);
+    void takeNoAnswer(const DeviceNotice& notice);
     void takeRefusal(const DeviceNotice& notice, Clock::time_point time);
     void noteStateChange();
     void solve();
@@ -54,6 +55,11 @@ struct ControlLoop::Impl {
     bool takesCommands() const { return feedback.link == LinkState::Connected; }
     void refuse(const char* what) {
         raise({EventCode::CommandRefused, 0.0, std::string(what) + " in " + std::string(toWord(state()))});
+    }
+    static constexpr int kTriesAgain = 2; ///< of a request that goes unanswered
+    void askToReference() {
+        referenceTries = kTriesAgain;
+        referenceTaken = false;
     }
     void raise(Event event) { events.push_back(std::move(event)); }
     MotionLimits limits() const { return motionLimits(geometry, feedback.minLength, feedback.maxLength); }
@@ -98,6 +104,9 @@ struct ControlLoop::Impl {
     bool tookOver = false;     ///< the operator asked for something on this link: set-points may go out
     bool stopWhenBack = false; ///< the link was lost in mid-move
     ControllerState knownState = ControllerState::Unknown; ///< of this link
+    int referenceTries = 0;                                ///< left, should HOME go unanswered
+    int enableTries = 0;
+    bool referenceTaken = false; ///< HOME was answered: it takes its time now
     DeviceRequest pendingRequest = DeviceRequest::None;
     bool wasStale = true;
     Clock::time_point lastSetRefusal{};

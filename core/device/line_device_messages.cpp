@@ -71,6 +71,8 @@ void LineDevice::Impl::take(const line::Ok& ok) {
         stop.confirm();
     if (ok.request == "DISABLE")
         disable.confirm();
+    if (ok.request == "HOME")
+        note(Kind::Acknowledged, ok.request, {});
     if (pending.answered(ok.request) && ok.request == "PERIOD") {
         feedback.period = options.desiredPeriod;
         periodTries = 0;

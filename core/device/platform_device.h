@@ -44,6 +44,7 @@ struct DeviceNotice {
         Identified,    ///< text: name
         Refused,       ///< ERR: request = type field, text = "CODE text"
         Fault,         ///< FAULT: request = code, text
+        Acknowledged,  ///< request = HOME: it was taken, and may last minutes
         NoAnswer,      ///< request = type that was not answered in time
         ClockWentBack, ///< the controller's clock went back: it restarted, or a stray frame
         ListenOnly,    ///< plain lines of lengths arrive: an unprotected sender

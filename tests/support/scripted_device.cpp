@@ -18,6 +18,8 @@ void ScriptedDevice::obey(DeviceRequest request) {
     const bool down = state == ControllerState::Stopped || state == ControllerState::Fault;
     switch (request) {
     case DeviceRequest::Reference:
+        if (ignoresReference)
+            break;
         lengths = m_home;
         state = ControllerState::Disabled;
         break;

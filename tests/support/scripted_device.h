@@ -30,6 +30,7 @@ public:
     ControllerState state = ControllerState::Unreferenced;
     LinkState link = LinkState::Connected;
     bool silent = false;                     ///< no measurement comes
+    bool ignoresReference = false;           ///< stays unreferenced
     bool ignoresEnable = false;              ///< stays disabled
     bool ignoresDisable = false;             ///< stays enabled
     bool stuck = false;                      ///< legs do not move

@@ -315,6 +315,41 @@ TEST_F(ControlLoopTest, AnUnprotectedSenderIsShownAndNeverCommanded) {
         EXPECT_TRUE(!m_device.received[k].lengths && m_device.received[k].request == DeviceRequest::None);
 }
 
+TEST_F(ControlLoopTest, AsksToReferenceAgainAndGivesUpSoonWhenNothingAnswers) {
+    m_device.ignoresReference = true;
+    cycles(2);
+    run();
+    cycles(2);
+    const DeviceNotice unanswered{DeviceNotice::Kind::NoAnswer, "HOME", {}};
+    for (int asked = 1; asked <= 3; ++asked) {
+        EXPECT_EQ(requestsSince(0), std::vector(static_cast<std::size_t>(asked), DeviceRequest::Reference));
+        EXPECT_FALSE(saw(EventCode::PreparationFailed));
+        m_device.notices.push_back(unanswered);
+        cycles(2);
+    }
+    EXPECT_EQ(requestsSince(0).size(), 3U);
+    EXPECT_EQ(detailOf(EventCode::PreparationFailed), "HOME was not answered");
+    EXPECT_EQ(m_last.state, RunState::Unreferenced);
+}
+
+TEST_F(ControlLoopTest, AReferencingThatWasTakenMayLast) {
+    m_device.ignoresReference = true;
+    cycles(2);
+    run();
+    cycles(2);
+    m_device.notices.push_back({DeviceNotice::Kind::NoAnswer, "HOME", {}});
+    cycles(2);
+    m_device.notices.push_back({DeviceNotice::Kind::Acknowledged, "HOME", {}});
+    cycles(2);
+    m_device.notices.push_back({DeviceNotice::Kind::Refused, "HOME", "STATE it is at it"});
+    m_device.notices.push_back({DeviceNotice::Kind::NoAnswer, "HOME", {}});
+    cycles(6000);
+    EXPECT_EQ(requestsSince(0).size(), 2U);
+    EXPECT_FALSE(saw(EventCode::PreparationFailed));
+    m_device.state = ControllerState::Disabled;
+    until(RunState::Enabled);
+}
+
 TEST_F(ControlLoopTest, GivesUpAnEnableThatDoesNotCome) {
     m_device.ignoresEnable = true;
     cycles(2);

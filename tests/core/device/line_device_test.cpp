@@ -169,8 +169,9 @@ TEST(LineDevice, RequestsGoOutOnceAndAMissingAnswerIsTold) {
             EXPECT_EQ(count(host.script.takeSent(), type), 0);
 
         host.script.say("OK," + std::string(type), 1ms);
-        host.device.exchange(request(what));
+        const DeviceFeedback answered = host.device.exchange(request(what));
         EXPECT_EQ(count(host.pass(3s).notices, Kind::NoAnswer), 0);
+        EXPECT_EQ(count(answered.notices, Kind::Acknowledged), what == DeviceRequest::Reference ? 1 : 0);
         host.script.say("ERR," + std::string(type) + ",STATE,not now, later", 1ms);
         const DeviceFeedback refused = host.device.exchange(request(what));
         ASSERT_EQ(count(refused.notices, Kind::Refused), 1);
