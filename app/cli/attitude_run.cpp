@@ -31,13 +31,25 @@ void AttitudeRun::run(const std::function<bool()>& interrupted) {
 }
 
 void AttitudeRun::checkConnection(const Snapshot& snapshot) {
+    const std::string within = " within " + std::to_string(m_options.connectWithin.count()) + " s";
+    for (const Event& event : snapshot.events)
+        if (event.code == EventCode::ControllerRefused)
+            m_uselessAnswer = event.detail;
     if (snapshot.link == LinkState::ListenOnly)
         m_failure = "an unprotected sender of lengths takes no commands";
     else if (snapshot.time > m_options.connectWithin)
-        m_failure = "no controller answered within " + std::to_string(m_options.connectWithin.count()) + " s";
+        m_failure = m_uselessAnswer.empty() ? "no controller answered" + within
+                                            : "no usable answer" + within + ": " + m_uselessAnswer;
     for (const Event& event : snapshot.events)
         if (event.code == EventCode::LinkLost)
             m_failure = event.detail;
+}
+
+std::string AttitudeRun::endingWords(const Snapshot& snapshot) const {
+    const Event& end = *m_sequence.failure();
+    const bool down = snapshot.state == RunState::Stopped || snapshot.state == RunState::Fault;
+    return formatEvent(end) +
+           (end.code == EventCode::CommandRefused && down ? "; --clear leaves it first" : "");
 }
 
 void AttitudeRun::take(const Snapshot& snapshot) {
@@ -61,7 +73,7 @@ void AttitudeRun::take(const Snapshot& snapshot) {
     if (const std::optional<Pose> next = m_sequence.add(snapshot))
         m_loop.post(RunCommand{*next});
     if (m_sequence.phase() == AttitudeSequence::Phase::Failed && !m_failure)
-        m_failure = formatEvent(*m_sequence.failure());
+        m_failure = endingWords(snapshot);
     m_over = m_failure.has_value();
 }
 

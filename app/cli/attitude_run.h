@@ -39,6 +39,7 @@ public:
 private:
     void take(const Snapshot& snapshot);
     void checkConnection(const Snapshot& snapshot);
+    std::string endingWords(const Snapshot& snapshot) const;
 
     LogWriter& m_log;
     Options m_options;
@@ -47,6 +48,7 @@ private:
     ControlLoop m_loop;
     std::vector<SettledSample> m_samples;
     std::optional<std::string> m_failure;
+    std::string m_uselessAnswer; ///< what came in place of a connection
     bool m_connected = false;
     bool m_clearPosted = false;
     bool m_over = false;

@@ -93,6 +93,11 @@ void ControlLoop::Impl::dropMotion() {
 
 void ControlLoop::Impl::stop(Event cause) {
     raise(std::move(cause));
+    halt();
+}
+
+void ControlLoop::Impl::halt() {
+    unnamedStop.clear();
     dropMotion();
     stopLatched = takesCommands();
     clearSent = tookOver = false;
@@ -231,6 +236,7 @@ void ControlLoop::cycle() {
     loop.feedback = loop.device.exchange(loop.nextSetPoints(begin));
     const Clock::time_point time = loop.now();
     loop.takeFeedback(time);
+    loop.nameStop(time);
     loop.noteStateChange();
     loop.watchIdentity();
     loop.watch(time);

@@ -10,6 +10,7 @@ namespace hexapose {
 namespace {
 
 constexpr std::chrono::seconds kSameRefusalEvery{1};
+constexpr std::chrono::milliseconds kStateComesWithin{300}; ///< some feedback periods
 
 } // namespace
 
@@ -32,6 +33,21 @@ void ControlLoop::Impl::takeFeedback(Clock::time_point time) {
         false; // the controller says its state again when it is back, and nothing is asked
     if (feedback.link == LinkState::Lost)
         monitor.forget();
+}
+
+/// Says what stopped the move, once the controller's state has come, or that it restarted, or nothing more.
+void ControlLoop::Impl::nameStop(Clock::time_point time) {
+    if (unnamedStop.empty())
+        return;
+    if (!takesCommands()) { // the restart, or the loss, was said
+        unnamedStop.clear();
+    } else if (feedback.state != ControllerState::Enabled) {
+        raise({EventCode::StoppedByController, 0.0, std::string(1, static_cast<char>(feedback.state))});
+        unnamedStop.clear();
+    } else if (time - unnamedSince > kStateComesWithin) {
+        raise({EventCode::StoppedOnRefusal, 0.0, unnamedStop});
+        unnamedStop.clear();
+    }
 }
 
 void ControlLoop::Impl::noteStateChange() {
@@ -116,9 +132,10 @@ void ControlLoop::Impl::takeRefusal(const DeviceNotice& notice, Clock::time_poin
         if (moving() && notice.text.starts_with("STATE")) {
             // The drives went down on their own; the measurement that says so comes a moment later.
             raise({EventCode::ControllerRefused, 0.0, what});
-            const bool known = feedback.state != ControllerState::Enabled;
-            const auto letter = static_cast<char>(known ? feedback.state : ControllerState::Unknown);
-            return stop({EventCode::StoppedByController, 0.0, std::string(1, letter)});
+            halt();
+            unnamedStop = what;
+            unnamedSince = time;
+            return;
         }
         if (moving())
             return stop({EventCode::StoppedOnRefusal, 0.0, what});
@@ -150,6 +167,8 @@ void ControlLoop::Impl::solve() {
 void ControlLoop::Impl::watch(Clock::time_point time) {
     const bool stale = monitor.stale();
     if (stale != wasStale) {
+        if (stale)
+            follow.reset();
         if (stale)
             raise(
                 {EventCode::DataStale, std::chrono::duration<double, std::milli>(monitor.age()).count(), {}});

@@ -46,6 +46,8 @@ struct ControlLoop::Impl {
 
     /// Ends whatever moves and sends Stop; it stays stopped until Clear.
     void stop(Event cause);
+    void halt(); ///< the same without a word
+    void nameStop(Clock::time_point time);
     void dropMotion();
     RunState state() const;
     bool moving() const {
@@ -109,6 +111,8 @@ struct ControlLoop::Impl {
     bool referenceTaken = false; ///< HOME was answered: it takes its time now
     DeviceRequest pendingRequest = DeviceRequest::None;
     bool wasStale = true;
+    std::string unnamedStop; ///< a refusal that stopped the move and waits for the state that explains it
+    Clock::time_point unnamedSince{};
     Clock::time_point lastSetRefusal{};
     std::string lastSetRefusalText;
     std::uint64_t cycleCount = 0;

@@ -41,6 +41,7 @@ public:
         Ms answerDelay{6};
         Ms homing{1000};
         int hellosNeeded = 2;
+        std::string helloAnswer;     ///< in place of the IDENT
         bool reportsUnasked = false; ///< LEN from the start, not only after HELLO
         bool carriageReturn = true;
         bool listenOnly = false; ///< bare lines of lengths; answers nothing

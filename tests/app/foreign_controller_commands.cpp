@@ -46,6 +46,8 @@ void ForeignController::takeCommand(const std::vector<std::string>& fields) {
             violate("HELLO of another form");
         if (++m_hellos < m_traits.hellosNeeded)
             return;
+        if (!m_traits.helloAnswer.empty())
+            return answer(m_traits.helloAnswer);
         m_identified = m_reporting = true;
         return answer("IDENT,1," + m_traits.name + ",6," + std::to_string(m_traits.period.count()) + "," +
                       shortest(m_traits.minMm) + "," + shortest(m_traits.maxMm));

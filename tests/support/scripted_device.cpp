@@ -32,6 +32,8 @@ void ScriptedDevice::obey(DeviceRequest request) {
             state = ControllerState::Disabled;
         break;
     case DeviceRequest::Stop:
+        if (ignoresStop)
+            break;
         if (!stopsOnlyWhenEnabled || state == ControllerState::Enabled)
             state = ControllerState::Stopped;
         break;

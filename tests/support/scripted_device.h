@@ -35,6 +35,7 @@ public:
     bool ignoresDisable = false;             ///< stays enabled
     bool stuck = false;                      ///< legs do not move
     bool deaf = false;                       ///< takes no set-point and echoes none
+    bool ignoresStop = false;                ///< stays enabled
     bool stopsOnlyWhenEnabled = false;       ///< as the protocol's diagram of states has it
     std::chrono::milliseconds late{0};       ///< added to the next exchange: the host stood still
     bool echoes = true;                      ///< tells which set-point it accepted last

@@ -246,6 +246,39 @@ TEST_F(ControlLoopTest, AControllerThatStopsFaultsOrRefusesEndsTheMove) {
     EXPECT_EQ(detailOf(EventCode::StoppedOnRefusal), "SET RANGE leg 1");
 }
 
+TEST_F(ControlLoopTest, ARefusedSetPointIsExplainedByTheStateThatFollows) {
+    const DeviceNotice refusal{DeviceNotice::Kind::Refused, "SET", "STATE drives are off"};
+    startMoving();
+    m_device.notices.push_back(refusal);
+    cycles(1);
+    EXPECT_EQ(m_last.state, RunState::Stopped) << "at once";
+    m_device.state = ControllerState::Fault;
+    cycles(1);
+    EXPECT_EQ(detailOf(EventCode::StoppedByController), "F");
+
+    m_events.clear();
+    m_loop->post(ClearCommand{});
+    cycles(3);
+    startMoving();
+    m_device.notices.push_back(refusal);
+    cycles(1);
+    m_device.notices.push_back({DeviceNotice::Kind::ClockWentBack, {}, {}});
+    m_device.link = LinkState::Connecting;
+    cycles(50);
+    EXPECT_TRUE(saw(EventCode::ClockWentBack));
+    EXPECT_FALSE(saw(EventCode::StoppedByController)) << "it restarted";
+
+    m_events.clear();
+    m_device.link = LinkState::Connected;
+    m_device.state = ControllerState::Disabled;
+    cycles(3);
+    startMoving();
+    m_device.ignoresStop = true;
+    m_device.notices.push_back(refusal);
+    cycles(50);
+    EXPECT_EQ(detailOf(EventCode::StoppedOnRefusal), "SET STATE drives are off") << "it stays enabled";
+}
+
 TEST_F(ControlLoopTest, ALostPortShowsNothingAsLiveAndComesBackAtRest) {
     startMoving();
     m_device.link = LinkState::Lost;
