@@ -6,19 +6,38 @@
 #include "app/cli/solver_choice.h"
 #include "core/geometry/input_error.h"
 #include "core/geometry/number_text.h"
+#include "core/geometry/text_file.h"
 #include "core/geometry/units.h"
 #include "core/kinematics/polynomial_file.h"
 #include "core/kinematics/polynomial_training.h"
 
 #include <cstdio>
+#include <filesystem>
 #include <limits>
 #include <string>
+#include <string_view>
 
 namespace hexapose {
 
 namespace {
 
 constexpr std::int64_t kTestPoses = 10000;
+constexpr double kMostDeg = 90.0;                               ///< of the angles' range; beta has no more
+constexpr std::string_view kModelEnd = "checksum = \"fnv1a64:"; ///< begins the last line of a model file
+
+/// A model may take the place of a model, and of nothing else: training ends by renaming over the file.
+void checkOut(const std::string& file) {
+    std::error_code error;
+    if (!std::filesystem::exists(std::filesystem::symlink_status(file, error)))
+        return;
+    const std::string cause = "exists, and is not a regression model; it is not written over";
+    if (!std::filesystem::is_regular_file(file, error))
+        throw InputError(file, cause);
+    const std::string text = readTextFile(file);
+    const std::size_t lastLine = text.rfind('\n', text.size() < 2 ? 0 : text.size() - 2);
+    if (lastLine == std::string::npos || text.compare(lastLine + 1, kModelEnd.size(), kModelEnd) != 0)
+        throw InputError(file, cause);
+}
 
 void appendErrors(std::string& out, const char* name, const PoseVector& errors) {
     out += name;
@@ -40,11 +59,14 @@ int trainCommand(const QStringList& words) {
          {"out", "FILE", "The model file to write."}},
         words);
     const std::string file = arguments.requiredText("out");
+    checkOut(file);
     const PlatformGeometry platform = arguments.platform();
     const int degree = static_cast<int>(arguments.integer("degree", 3, 1, 4));
     TrainingSpec spec = defaultTrainingSpec(platform, degree);
     spec.offsetRange = metresFromMm(arguments.positive("range-mm", mmFromMetres(spec.offsetRange)));
     spec.angleRange = radiansFromDeg(arguments.positive("range-deg", degFromRadians(spec.angleRange)));
+    if (degFromRadians(spec.angleRange) > kMostDeg * (1.0 + 1e-12))
+        throw InputError("--range-deg", "'" + arguments.text("range-deg", "") + "' is more than 90");
     spec.samples = arguments.integer("samples", spec.samples, 1, 1000000000);
     spec.seed =
         static_cast<std::uint64_t>(arguments.integer("seed", 1, 0, std::numeric_limits<std::int64_t>::max()));

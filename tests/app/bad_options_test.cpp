@@ -143,6 +143,10 @@ TEST(BadOptions, ModelsThatDoNotBelongOrAreNotWhole) {
     EXPECT_NEAR(Table(good.out).number(0, "z_mm"), 39.78, 0.5e-2);
 
     const std::string text = readText(model);
+    const Outcome again = cli({"train", "--degree", "3", "--samples", "3000", "--range-mm", "50",
+                               "--range-deg", "15", "--seed", "7", "--out", model});
+    EXPECT_EQ(again.status, 0) << "a model takes the place of a model";
+    EXPECT_EQ(readText(model), text);
     files.file("truncated", text.substr(0, text.size() / 2));
     files.file("one-byte-less", text.substr(0, text.size() - 1));
     files.file("unsigned", text.substr(0, text.rfind('\n', text.size() - 2) + 1));
@@ -174,6 +178,10 @@ TEST(BadOptions, OfTrain) {
                                 {train + "--out @missing/model", {"@missing/model"}},
                                 {train + "--out @plain/model", {"@plain/model"}},
                                 {train + "--out @directory", {"@directory"}},
+                                {train + "--out @plain", {"@plain", "not a regression model"}},
+                                {train + "--out @empty.csv", {"@empty.csv", "not a regression model"}},
+                                {train + "--out /dev/null", {"/dev/null", "not a regression model"}},
+                                {train + "--out @m --range-deg 90.5", {"--range-deg", "90.5"}},
                                 {"train --out @m --degree 0", {"--degree", "0"}},
                                 {"train --out @m --degree 5", {"--degree", "5"}},
                                 {"train --out @m --degree three", {"--degree", "three"}},
