@@ -27,6 +27,17 @@ std::vector<SettledSample> settledSamples(const SessionLog& log) {
     return samples;
 }
 
+PlatformGeometry platformOf(const SessionLog& log, const Arguments& arguments) {
+    if (log.platform && !arguments.has("platform"))
+        return *log.platform;
+    const PlatformGeometry platform = arguments.platform();
+    const std::string recorded = log.platform ? log.platform->fingerprint() : log.platformFingerprint;
+    if (!recorded.empty() && platform.fingerprint() != recorded)
+        throw InputError("--platform", platform.name + " has the fingerprint " + platform.fingerprint() +
+                                           ", but the recorded platform has " + recorded);
+    return platform;
+}
+
 } // namespace
 
 int reportCommand(const QStringList& words) {
@@ -43,10 +54,9 @@ int reportCommand(const QStringList& words) {
     const double resolution = metresFromMm(arguments.positive("resolution-mm", 0.1));
     const std::string file = arguments.operand(0);
     const SessionLog log = readSessionLog(file);
+    const PlatformGeometry platform = platformOf(log, arguments);
     for (const std::string& warning : log.warnings)
         std::fprintf(stderr, "hexapose-cli: %s\n", warning.c_str());
-    const PlatformGeometry platform =
-        log.platform && !arguments.has("platform") ? *log.platform : arguments.platform();
     const std::vector<SettledSample> samples = settledSamples(log);
     if (samples.empty())
         throw InputError(file, "holds no settled attitude (a move, then a second of state enabled)");
@@ -54,6 +64,10 @@ int reportCommand(const QStringList& words) {
     const ErrorReport report = makeErrorReport(platform, *chosen.solver, samples, resolution);
     for (const std::filesystem::path& written : exportErrorReport(report, directory))
         std::printf("%s\n", written.c_str());
+    if (!log.platform && !arguments.has("platform"))
+        std::fprintf(stderr,
+                     "hexapose-cli: %s: nothing beside it says which platform this was; taken for: %s\n",
+                     file.c_str(), platform.name.c_str());
     return report.failed > 0 ? kExitSomeFailed : kExitDone;
 }
 

@@ -72,8 +72,15 @@ RecordedMetadata readLogMetadata(const std::filesystem::path& tomlFile) {
     metadata.port = root["port"].value_or(std::string());
     metadata.solver = root["solver"].value_or(std::string());
     metadata.modelFingerprint = root["model_fingerprint"].value_or(std::string());
+    metadata.platformFingerprint = root["platform_fingerprint"].value_or(std::string());
     if (const toml::table* platform = root["platform"].as_table())
         metadata.platform = parsePlatform(tomlText(*platform), source.name() + " [platform]");
+    const std::string& recorded = metadata.platformFingerprint;
+    if (metadata.platform && !recorded.empty() && metadata.platform->fingerprint() != recorded)
+        throw InputError(source.name(), "the geometry under [platform] has the fingerprint " +
+                                            metadata.platform->fingerprint() +
+                                            ", not the platform_fingerprint " + recorded +
+                                            " of the recording");
     return metadata;
 }
 

@@ -28,12 +28,14 @@ std::string formatLogMetadata(const LogMetadata& metadata, std::chrono::system_c
 /// The same read back. A file by another program may hold less.
 struct RecordedMetadata {
     std::optional<PlatformGeometry> platform;
+    std::string platformFingerprint;
     std::string modelFingerprint;
     std::string solver;
     std::string programVersion;
     std::string port;
 };
-/// Throws InputError "file:line: cause" for bad TOML or a platform that cannot be used.
+/// Throws InputError "file:line: cause" for bad TOML, a platform that cannot be used, or one that is not that
+/// of the fingerprint.
 RecordedMetadata readLogMetadata(const std::filesystem::path& tomlFile);
 
 } // namespace hexapose

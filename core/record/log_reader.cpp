@@ -178,6 +178,7 @@ void readMetadata(const std::filesystem::path& csvFile, SessionLog& log) {
         return;
     RecordedMetadata metadata = readLogMetadata(file);
     log.platform = std::move(metadata.platform);
+    log.platformFingerprint = std::move(metadata.platformFingerprint);
     log.modelFingerprint = std::move(metadata.modelFingerprint);
     log.solver = std::move(metadata.solver);
     log.programVersion = std::move(metadata.programVersion);

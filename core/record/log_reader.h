@@ -18,6 +18,7 @@ namespace hexapose {
 struct SessionLog {
     std::vector<Snapshot> rows;
     std::optional<PlatformGeometry> platform; ///< from the TOML file beside it, when there is one
+    std::string platformFingerprint;          ///< from there too; empty when not known
     std::string modelFingerprint;
     std::string solver; ///< method word; empty when not known
     std::string programVersion;

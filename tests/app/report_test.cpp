@@ -70,11 +70,16 @@ TEST(Report, OfAWholeLogACutLogAndOneWithoutItsPlatform) {
     const Machine lab = laboratory();
     const std::string text = writeLog(lab);
     const auto report = [&](const std::string& log, const std::string& out) {
-        return cli({"report", log, "--out", scratch.path(out)});
+        return cli({"report", log, "--platform", "laboratory", "--out", scratch.path(out)});
     };
     const Outcome whole = report(scratch.file("whole.csv", text), "whole");
     EXPECT_EQ(whole.status, 0) << whole.err;
     EXPECT_EQ(whole.err, "");
+    // Without a word of the platform it is taken for the laboratory's, and that is said.
+    const Outcome assumed = cli({"report", scratch.path("whole.csv"), "--out", scratch.path("assumed")});
+    EXPECT_EQ(assumed.status, 0) << assumed.err;
+    EXPECT_EQ(notOneLineWith(assumed.err, {scratch.path("whole.csv"), "Laboratory platform"}), "");
+    EXPECT_EQ(readText(scratch.path("assumed/errors.csv")), readText(scratch.path("whole/errors.csv")));
     expectErrors(scratch.path("whole/errors.csv"), 3);
     for (const char* name : {"report.pdf", "errors.csv", "errors.png", "errors.svg"}) {
         EXPECT_THAT(whole.out, HasSubstr(scratch.path(std::string("whole/") + name) + "\n"));
@@ -131,26 +136,44 @@ TEST(Report, BadLogsAreRefused) {
     scratch.file("crooked.csv", text);
     scratch.file("crooked.toml", "format = 1\n[platform]\nformat = 1\nname = \"x\"\n");
     scratch.file("plain", "");
+    const std::string printed = "format = 1\nplatform_fingerprint = \"0123456789abcdef\"\n";
+    const auto under = [](std::string toml) {
+        for (std::size_t at = 0; (at = toml.find("[[leg]]", at)) != std::string::npos; at += 9)
+            toml.replace(at, 7, "[[platform.leg]]");
+        toml.replace(toml.find("[home]"), 6, "[platform.home]");
+        return "[platform]\n" + toml;
+    };
+    for (const char* name : {"foreign.csv", "printed.csv", "recorded.csv"})
+        scratch.file(name, text);
+    scratch.file("foreign.toml", printed + under(laboratory().toml()));
+    scratch.file("printed.toml", printed);
+    scratch.file("recorded.toml", "format = 1\n" + under(laboratory().toml()));
+    scratch.file("other.toml", octahedral().toml());
     const std::string out = " --out @out";
-    expectRefused(HEXAPOSE_CLI, scratch,
-                  {
-                      {"report" + out, {"missing"}},
-                      {"report @good.csv", {"--out"}},
-                      {"report @good.csv --out", {"out"}},
-                      {"report @good.csv --out @plain", {"@plain"}},
-                      {"report @good.csv --out @plain/out", {"@plain"}},
-                      {"report @good.csv --method magic" + out, {"--method", "magic"}},
-                      {"report @good.csv --resolution-mm -1" + out, {"--resolution-mm", "-1"}},
-                      {"report @missing.csv" + out, {"@missing.csv"}},
-                      {"report @empty.csv" + out, {"@empty.csv", "empty"}},
-                      {"report @header.csv" + out, {"@header.csv", "no settled attitude"}},
-                      {"report @standing.csv" + out, {"@standing.csv", "no settled attitude"}},
-                      {"report @timeless.csv" + out, {"@timeless.csv:1:", "time_s"}},
-                      {"report @legless.csv" + out, {"@legless.csv:1:", "l6_mm"}},
-                      {"report @quote.csv" + out, {"@quote.csv:2:", "quote"}},
-                      {"report @beside.csv" + out, {"@beside.toml:"}},
-                      {"report @crooked.csv" + out, {"@crooked.toml", "home"}},
-                  });
+    expectRefused(
+        HEXAPOSE_CLI, scratch,
+        {
+            {"report" + out, {"missing"}},
+            {"report @good.csv", {"--out"}},
+            {"report @good.csv --out", {"out"}},
+            {"report @good.csv --out @plain", {"@plain"}},
+            {"report @good.csv --out @plain/out", {"@plain"}},
+            {"report @good.csv --method magic" + out, {"--method", "magic"}},
+            {"report @good.csv --resolution-mm -1" + out, {"--resolution-mm", "-1"}},
+            {"report @missing.csv" + out, {"@missing.csv"}},
+            {"report @empty.csv" + out, {"@empty.csv", "empty"}},
+            {"report @header.csv" + out, {"@header.csv", "no settled attitude"}},
+            {"report @standing.csv" + out, {"@standing.csv", "no settled attitude"}},
+            {"report @timeless.csv" + out, {"@timeless.csv:1:", "time_s"}},
+            {"report @legless.csv" + out, {"@legless.csv:1:", "l6_mm"}},
+            {"report @quote.csv" + out, {"@quote.csv:2:", "quote"}},
+            {"report @beside.csv" + out, {"@beside.toml:"}},
+            {"report @crooked.csv" + out, {"@crooked.toml", "home"}},
+            {"report @foreign.csv" + out, {"@foreign.toml", "platform_fingerprint 0123456789abcdef"}},
+            {"report @printed.csv --platform @other.toml" + out, {"--platform", "0123456789abcdef"}},
+            {"report @printed.csv" + out, {"--platform", "0123456789abcdef"}},
+            {"report @recorded.csv --platform @other.toml" + out, {"--platform", "fingerprint"}},
+        });
 }
 
 } // namespace
