@@ -12,6 +12,7 @@
 #include "core/geometry/input_error.h"
 #include "core/geometry/number_text.h"
 #include "core/geometry/units.h"
+#include "core/record/log_metadata.h"
 #include "core/record/pose_list.h"
 #include "core/report/error_report.h"
 #include "ui/report/report_export.h"
@@ -19,9 +20,11 @@
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <system_error>
 #include <unistd.h>
+#include <vector>
 
 namespace hexapose {
 
@@ -43,15 +46,47 @@ void checkTargets(const PlatformGeometry& platform, const std::vector<Pose>& tar
     }
 }
 
-/// Now rather than after the run, when there is nothing left but to say that the report is lost.
-void checkReport(const std::string& directory) {
-    std::error_code error;
-    std::filesystem::create_directories(directory, error);
-    if (error)
-        throw InputError(directory, "cannot be made: " + error.message());
-    if (access(directory.c_str(), W_OK | X_OK) != 0)
-        throw InputError(directory, "cannot be written: " + std::generic_category().message(errno));
+namespace fs = std::filesystem;
+
+/// What the report and the log are for each other is found out before either is made.
+void checkReport(const std::string& directory, const std::string& logFile) {
+    const fs::path report = fs::absolute(directory).lexically_normal();
+    const fs::path log = fs::absolute(logFile).lexically_normal();
+    if (report / "" == log / "" || report / "" == logMetadataFile(log) / "")
+        throw InputError("--report", "'" + directory + "' is where the log goes");
 }
+
+/// The directory of the report, made now rather than after the run, when there is nothing left but to say
+/// that the report is lost; and unmade when the run does not come about.
+class ReportDirectory {
+public:
+    explicit ReportDirectory(const std::string& directory) {
+        std::error_code error;
+        fs::path missing = fs::absolute(directory).lexically_normal();
+        for (; !missing.empty() && !fs::exists(missing, error) && missing != missing.parent_path();
+             missing = missing.parent_path())
+            m_made.push_back(missing);
+        fs::create_directories(directory, error);
+        if (error)
+            undo();
+        if (error)
+            throw InputError(directory, "cannot be made: " + error.message());
+        if (access(directory.c_str(), W_OK | X_OK) != 0)
+            throw InputError(directory, "cannot be written: " + std::generic_category().message(errno));
+    }
+    ~ReportDirectory() { undo(); }
+    ReportDirectory(const ReportDirectory&) = delete;
+    ReportDirectory& operator=(const ReportDirectory&) = delete;
+    void keep() { m_made.clear(); }
+
+private:
+    void undo() {
+        std::error_code ignored;
+        for (const fs::path& path : m_made)
+            fs::remove(path, ignored); // an empty one only
+    }
+    std::vector<fs::path> m_made; ///< the innermost first
+};
 
 std::unique_ptr<PlatformDevice> openDevice(const std::string& port, const PlatformGeometry& platform,
                                            int baud) {
@@ -89,7 +124,12 @@ int runCommand(const QStringList& words) {
     checkTargets(platform, targets, targetsFile);
     const ChosenSolver chosen = chooseSolver(arguments, platform);
     if (arguments.has("report"))
-        checkReport(arguments.requiredText("report"));
+        checkReport(arguments.requiredText("report"), logFile);
+    if (logFile == "-")
+        throw InputError("--log", "'-' is no file: a log is written to one that stays");
+    std::optional<ReportDirectory> reportDirectory;
+    if (arguments.has("report"))
+        reportDirectory.emplace(arguments.requiredText("report"));
     const std::unique_ptr<PlatformDevice> device = openDevice(port, platform, baud);
 
     LogMetadata metadata;
@@ -99,6 +139,8 @@ int runCommand(const QStringList& words) {
     metadata.programVersion = HEXAPOSE_VERSION;
     metadata.port = port;
     LogWriter log(logFile, metadata);
+    if (reportDirectory)
+        reportDirectory->keep();
 
     catchInterrupts();
     AttitudeRun run(*device, platform, *chosen.solver, log, targets, {arguments.has("clear")});
