@@ -42,6 +42,11 @@ Arguments::Arguments(const char* command, const QStringList& operands, const std
         std::fputs(m_parser.helpText().toUtf8().constData(), stdout);
         std::exit(0);
     }
+    QStringList found = m_parser.optionNames();
+    found.sort();
+    for (qsizetype i = 1; i < found.size(); ++i)
+        if (found[i] == found[i - 1])
+            throw InputError(command, "--" + found[i].toStdString() + " is given twice");
     const QStringList given = m_parser.positionalArguments();
     if (given.size() < operands.size())
         throw InputError(command, "missing " + operands[given.size()].toStdString());

@@ -43,7 +43,8 @@ int simulateCommand(const QStringList& words) {
         throw InputError("--protocol",
                          "'" + protocol + "' is not available in this version (available: line)");
     VirtualPlatformServerOptions options;
-    options.link = arguments.text("link", "");
+    if (arguments.has("link"))
+        options.link = arguments.requiredText("link");
     options.controller.period = std::chrono::milliseconds(arguments.integer("period-ms", 10, 1, 1000));
     options.platform.resolution = metresFromMm(arguments.positive("resolution-mm", 0.1));
     if (arguments.has("faults"))

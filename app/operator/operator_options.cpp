@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <cstring>
 #include <limits>
+#include <set>
 
 namespace hexapose {
 
@@ -108,8 +109,12 @@ OperatorOptions parseOperatorOptions(const std::vector<std::string>& arguments) 
     ConnectionChoice serial{false, {}, ConnectionChoice{}.baud};
     bool virtualWanted = false;
     Words words(arguments);
+    std::set<std::string> given;
     while (words.next()) {
         const std::string& name = words.name();
+        if (!given.insert(name).second) {
+            throw InputError(name, "is given twice");
+        }
         if (takeSwitch(options, virtualWanted, name)) {
             words.noValue();
         } else if (name == "--port") {

@@ -79,6 +79,7 @@ TEST(BadOptions, OfEveryCommand) {
         calls.push_back({command + " --platform @plain", {"@plain:1:"}});
         calls.push_back({command + " --platform @empty.csv", {"@empty.csv:1:", "format"}});
         calls.push_back({command + " surplus", {name, "surplus"}});
+        calls.push_back({command + " --platform laboratory --platform=laboratory", {"--platform", "twice"}});
     }
     expectCliRefused(files, calls);
 }
@@ -219,6 +220,7 @@ TEST(BadOptions, OfSimulate) {
                                 {simulate + "--faults silence=10", {"silence=10"}},
                                 {simulate + "--faults noise=-1", {"noise=-1"}},
                                 {simulate + "--faults ''", {"faults"}},
+                                {simulate + "--link ''", {"--link"}},
                                 {simulate + "--resolution-mm 0", {"--resolution-mm"}},
                             });
 }

@@ -166,6 +166,8 @@ TEST(Console, BadOptionsAreRefused) {
                       {"--language", {"--language"}},
                       {"--virtual --port /dev/ttyNOWHERE", {"--port", "--virtual"}},
                       {"--virtual=yes", {"--virtual"}},
+                      {"--virtual --headless --virtual", {"--virtual", "twice"}},
+                      {"--headless --baud 9600 --baud=9600", {"--baud", "twice"}},
                       {"--headless --port /dev/ttyNOWHERE", {"/dev/ttyNOWHERE"}},
                       {"--port @plain --headless", {"@plain"}},
                       {"--headless --port /dev/null", {"/dev/null", "not a serial port"}},
