@@ -845,6 +845,22 @@
         <source>Pose of another assembly</source>
         <translation>属于另一装配构型的位姿</translation>
     </message>
+    <message>
+        <source>No data</source>
+        <translation>无数据</translation>
+    </message>
+    <message>
+        <source>Not known</source>
+        <translation>未知</translation>
+    </message>
+    <message>
+        <source>Cannot run: this sender takes no commands</source>
+        <translation>无法运行：该发送端不接受命令</translation>
+    </message>
+    <message>
+        <source>Cannot run: no valid measurement arrives</source>
+        <translation>无法运行：没有收到有效的测量值</translation>
+    </message>
 </context>
 <context>
     <name>hexapose::TargetPanel</name>

@@ -84,6 +84,8 @@ void HeadlessJob::nextStep() {
     const Snapshot& now = m_window.latest();
     if (m_sinceStep.elapsed() > kStepTimeoutMs) {
         fail(QStringLiteral("timed out; last event: ") + m_window.events().textAt(0));
+    } else if (m_step == Step::Connecting && now.link == LinkState::ListenOnly) {
+        fail(QStringLiteral("an unprotected sender of lengths takes no commands"));
     } else if (m_step == Step::Connecting && now.state != RunState::Disconnected && now.measuredPose &&
                !now.stale) {
         typeTarget();

@@ -58,6 +58,50 @@ Tone stateTone(RunState state) {
     return Tone::Idle;
 }
 
+namespace {
+
+enum class Known { Yes, NoData, NotTold };
+
+Known knownState(const Snapshot& snapshot) {
+    if (snapshot.state == RunState::Disconnected) {
+        return Known::Yes;
+    }
+    if (snapshot.link == LinkState::ListenOnly) {
+        return Known::NotTold;
+    }
+    // A stop of our own, or the end of the loop, is known without the controller.
+    const bool own = snapshot.state == RunState::Stopped || snapshot.state == RunState::Fault;
+    return snapshot.stale && !own ? Known::NoData : Known::Yes;
+}
+
+} // namespace
+
+QString stateText(const Snapshot& snapshot) {
+    switch (knownState(snapshot)) {
+    case Known::NoData:
+        return StatusText::tr("No data");
+    case Known::NotTold:
+        return StatusText::tr("Not known");
+    case Known::Yes:
+        break;
+    }
+    return stateText(snapshot.state);
+}
+
+Tone stateTone(const Snapshot& snapshot) {
+    return knownState(snapshot) == Known::Yes ? stateTone(snapshot.state) : Tone::Warn;
+}
+
+QString runHindrance(const Snapshot& snapshot) {
+    if (snapshot.state == RunState::Disconnected) {
+        return {};
+    }
+    if (snapshot.link == LinkState::ListenOnly) {
+        return StatusText::tr("Cannot run: this sender takes no commands");
+    }
+    return snapshot.stale ? StatusText::tr("Cannot run: no valid measurement arrives") : QString();
+}
+
 QString solveStatusText(SolveStatus status) {
     switch (status) {
     case SolveStatus::Converged:

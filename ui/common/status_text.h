@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/kinematics/forward_solver.h"
-#include "core/record/run_state.h"
+#include "core/record/snapshot.h"
 #include "ui/common/theme.h"
 
 #include <QString>
@@ -14,6 +14,11 @@
 namespace hexapose {
 
 QString stateText(RunState state);
+/// The same where it is known: not with old data, nor of a sender that tells none.
+QString stateText(const Snapshot& snapshot);
+Tone stateTone(const Snapshot& snapshot);
+/// Why nothing can be run now, though something is connected; empty when it can.
+QString runHindrance(const Snapshot& snapshot);
 Tone stateTone(RunState state);
 QString solveStatusText(SolveStatus status);
 /// "MPR3-NR" of "mpr3-nr"; the word itself when it is not known.

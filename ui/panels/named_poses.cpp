@@ -10,6 +10,7 @@
 #include <QSignalBlocker>
 
 #include <algorithm>
+#include <initializer_list>
 
 namespace hexapose {
 
@@ -108,7 +109,11 @@ void NamedPoses::updateButtons() {
 }
 
 void NamedPoses::retranslate() {
-    m_box->setAccessibleName(tr("Pose name"));
+    // On Linux a box with text in it gives that text for its name; its editor is where a screen reader finds
+    // it.
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_box, m_box->lineEdit()}) {
+        widget->setAccessibleName(tr("Pose name"));
+    }
     m_box->lineEdit()->setPlaceholderText(tr("Named poses"));
     m_box->setToolTip(tr("Choose a pose to put it into the fields, or type a name to keep them under"));
     m_keep->setText(tr("Keep"));

@@ -189,10 +189,12 @@ void OperatorWindow::showLatest() {
     m_legs->showSnapshot(m_latest);
     m_pose->showSnapshot(m_latest);
     m_status->showSnapshot(m_latest);
-    m_connection->showState(m_latest.state);
+    // A sender that takes no commands has no state that a button could change.
+    const bool commandable = linked && m_latest.link != LinkState::ListenOnly;
+    m_connection->showState(commandable ? m_latest.state : RunState::Disconnected);
     m_target->showSnapshot(m_latest);
     m_target->setConnected(linked);
-    m_report->setConnected(linked);
+    m_report->setConnected(commandable);
     if (++m_tickCount % kChartsEvery == 0) {
         m_charts->refresh(seconds(m_latest.time));
     }

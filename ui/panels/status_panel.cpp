@@ -73,8 +73,8 @@ void StatusPanel::setSolver(std::string_view word) {
 
 void StatusPanel::showSnapshot(const Snapshot& snapshot) {
     m_snapshot = snapshot;
-    m_state.value->showText(stateText(snapshot.state));
-    setTone(*m_lamp, stateTone(snapshot.state));
+    m_state.value->showText(stateText(snapshot));
+    setTone(*m_lamp, stateTone(snapshot));
     const bool measured = snapshot.measuredLengths.has_value();
     const auto known = [&](double value) { return measured ? std::optional(value) : std::nullopt; };
     m_rate.value->showNumber(snapshot.feedbackRate, 1);

@@ -120,11 +120,24 @@ void TargetPanel::build() {
 }
 
 void TargetPanel::setConnected(bool connected) {
-    m_run->setEnabled(connected);
+    m_connected = connected;
+    updateRun();
+}
+
+void TargetPanel::updateRun() {
+    m_run->setEnabled(m_connected && m_hindrance.isEmpty());
+    m_run->setToolTip(m_hindrance.isEmpty()
+                          ? tr("Move to the target; references and enables first when that is needed")
+                          : m_hindrance);
 }
 
 void TargetPanel::showSnapshot(const Snapshot& snapshot) {
     const bool live = !snapshot.stale && snapshot.measuredPose;
+    if (const QString hindrance = runHindrance(snapshot); hindrance != m_hindrance) {
+        m_hindrance = hindrance;
+        updateRun();
+        showVerdict();
+    }
     const bool had = m_measured.has_value();
     m_measured = live ? snapshot.measuredPose : std::nullopt;
     m_limits = motionLimits(m_geometry, snapshot.minLength, snapshot.maxLength);
@@ -192,6 +205,11 @@ void TargetPanel::showRanges() {
 }
 
 void TargetPanel::showVerdict() {
+    if (!m_hindrance.isEmpty()) {
+        setTone(*m_lamp, Tone::Warn);
+        m_validity->showText(m_hindrance);
+        return;
+    }
     if (m_verdict) {
         setTone(*m_lamp, m_verdict->ok() ? Tone::Good : Tone::Bad);
         m_validity->showText(verdictText(*m_verdict));
@@ -223,7 +241,8 @@ void TargetPanel::retranslate() {
         button->setAccessibleName(text);
         button->setToolTip(tip);
     };
-    name(m_run, tr("Run"), tr("Move to the target; references and enables first when that is needed"));
+    name(m_run, tr("Run"), {});
+    updateRun();
     name(m_stop, tr("Stop"), tr("Stop the motion (Esc). This is not the emergency stop of the machine."));
     m_stop->setText(tr("Stop  (Esc)"));
     name(m_reset, tr("Reset"), tr("Put the home pose into the fields; nothing moves"));

@@ -51,10 +51,13 @@ private:
     void judge();
     void showRanges();
     void showVerdict();
+    void updateRun();
     void retranslate();
 
     PlatformGeometry m_geometry;
     MotionLimits m_limits;
+    QString m_hindrance; ///< why Run cannot be pressed, though something is connected
+    bool m_connected = false;
     std::optional<Pose> m_measured; ///< present and usable
     std::optional<Verdict> m_verdict;
     QElapsedTimer m_sinceJudged;

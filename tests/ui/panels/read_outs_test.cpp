@@ -51,6 +51,26 @@ TEST(PosePanel, NeverShowsAPoseWithoutAUsableSolution) {
     EXPECT_EQ(spoken(panel, "Path x"), "0.000");
 }
 
+TEST(StatusPanel, AStateThatIsNotKnownIsNotShown) {
+    const PlatformGeometry geometry = laboratoryPlatform();
+    StatusPanel panel;
+    Snapshot snapshot = snapshotAt(geometry, Pose{}, Pose{}, RunState::Disabled, 1.0);
+    panel.showSnapshot(snapshot);
+    EXPECT_EQ(spoken(panel, "State"), "Disabled");
+    snapshot.stale = true;
+    panel.showSnapshot(snapshot);
+    EXPECT_EQ(spoken(panel, "State"), "No data");
+    snapshot.state = RunState::Stopped; // by ourselves
+    panel.showSnapshot(snapshot);
+    EXPECT_EQ(spoken(panel, "State"), "Stopped");
+    snapshot = snapshotAt(geometry, Pose{}, Pose{}, RunState::Disabled, 1.0);
+    snapshot.link = LinkState::ListenOnly;
+    panel.showSnapshot(snapshot);
+    EXPECT_EQ(spoken(panel, "State"), "Not known");
+    panel.showSnapshot({});
+    EXPECT_EQ(spoken(panel, "State"), "Disconnected");
+}
+
 TEST(LegsPanel, ShowsCommandedMeasuredAndErrorAndGreysOldValues) {
     const PlatformGeometry geometry = laboratoryPlatform();
     LegsPanel panel(geometry);

@@ -45,6 +45,35 @@ protected:
     TargetPanel panel;
 };
 
+TEST_F(TargetPanelTest, RunIsDisabledWithItsReasonWhileTheStateIsNotKnown) {
+    live(Pose{});
+    EXPECT_TRUE(button("Run")->isEnabled());
+    EXPECT_EQ(validity(), "Reachable");
+    const Snapshot good = snapshotAt(geometry, Pose{}, Pose{}, RunState::Disabled, 1.0);
+    Snapshot old = good;
+    old.stale = true;
+    Snapshot plain = good;
+    plain.link = LinkState::ListenOnly;
+    for (const auto& [snapshot, word] : {std::pair(old, "measurement"), std::pair(plain, "no commands")}) {
+        panel.showSnapshot(snapshot);
+        EXPECT_FALSE(button("Run")->isEnabled()) << word;
+        EXPECT_TRUE(button("Run")->toolTip().contains(QString::fromLatin1(word)));
+        EXPECT_TRUE(validity().contains(QString::fromLatin1(word))) << validity().toStdString();
+        EXPECT_TRUE(button("Stop")->isEnabled());
+    }
+    panel.showSnapshot(good);
+    EXPECT_TRUE(button("Run")->isEnabled());
+    EXPECT_EQ(validity(), "Reachable");
+}
+
+TEST_F(TargetPanelTest, TheNameOfAPoseHasAnEditorOfThatName) {
+    auto* box = panel.namedPoses().findChild<QComboBox*>();
+    ASSERT_NE(box, nullptr);
+    box->setEditText(QStringLiteral("high"));
+    EXPECT_EQ(box->lineEdit()->accessibleName(), "Pose name");
+    EXPECT_EQ(spokenText(box->lineEdit()), "high");
+}
+
 TEST_F(TargetPanelTest, ValidityFollowsTheTypingAndSaysWhyNot) {
     EXPECT_EQ(validity(), "Reachable");
     type("Target z", "200");
