@@ -7,8 +7,8 @@
 
 namespace hexapose {
 
-/// What lengths that are known to a resolution r do to each coordinate of a pose, to first order: dX = J^-1
-/// dL with the analytic Jacobian. m and rad, order x y z alpha beta gamma; infinite where the pose is
+/// What lengths that are known to a resolution r (m) do to each coordinate of a pose, to first order: dX =
+/// J^-1 dL with the analytic Jacobian. m and rad, order x y z alpha beta gamma; infinite where the pose is
 /// singular.
 struct RoundingEffect {
     PoseVector bound; ///< worst case of |dL_i| <= r/2: sum_i |J^-1|_ki r/2

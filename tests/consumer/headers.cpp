@@ -19,4 +19,5 @@
 #include <hexapose/core/kinematics/polynomial_file.h>
 #include <hexapose/core/kinematics/polynomial_model.h>
 #include <hexapose/core/kinematics/polynomial_training.h>
+#include <hexapose/core/kinematics/pose_accuracy.h>
 #include <hexapose/core/kinematics/singularity.h>
