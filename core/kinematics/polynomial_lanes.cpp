@@ -11,6 +11,7 @@
 // The targets first.
 #include <hwy/highway.h>
 
+#include <array>
 #include <utility>
 
 HWY_BEFORE_NAMESPACE();
@@ -28,12 +29,14 @@ constexpr std::size_t kOutputs = 6;
 template <class D, int kDegree>
 struct Horner {
     using V = hn::Vec<D>;
-    const double* next[kDegree + 1]; ///< coefficients of each degree that were not used yet
+    std::array<const double*, static_cast<std::size_t>(kDegree) + 1>
+        next; ///< coefficients of each degree that were not used yet
     V u[kLegCount];
 
     HWY_INLINE Horner(const double* variables, const double* coefficients) {
         for (int degree = 0, first = 0; degree <= kDegree; first = monomialCount(degree++))
-            next[degree] = coefficients + kOutputs * static_cast<std::size_t>(first);
+            next[static_cast<std::size_t>(degree)] =
+                coefficients + kOutputs * static_cast<std::size_t>(first);
         for (int k = 0; k < kLegCount; ++k)
             u[k] = hn::Set(D(), variables[k]);
     }
@@ -47,8 +50,8 @@ struct Horner {
 
     template <int kThis, int kLast>
     HWY_INLINE V term() {
-        V sum = load(next[kThis]);
-        next[kThis] += kOutputs;
+        V sum = load(std::get<kThis>(next));
+        std::get<kThis>(next) += kOutputs;
         if constexpr (kThis < kDegree)
             sum = terms<kThis>(sum, std::make_integer_sequence<int, kLast + 1>());
         return sum;

@@ -3,8 +3,8 @@
 // What the vector unit can do at best: independent multiplications and additions, nothing to wait for.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tests/bench/fma_peak.cpp"
-#include "core/kinematics/lane_targets.h"
 #include "tests/bench/fma_peak.h"
+#include "core/kinematics/lane_targets.h"
 
 #include <hwy/foreach_target.h>
 // The targets first.

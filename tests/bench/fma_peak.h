@@ -4,7 +4,8 @@
 
 namespace hexapose::bench {
 
-/// Vector multiplications with addition that do not depend on each other; the result only keeps them from vanishing.
+/// Vector multiplications with addition that do not depend on each other; the result only keeps them from
+/// vanishing.
 double multiplyAdds(long rounds);
 /// Floating-point operations of so many rounds.
 double multiplyAddFlops(long rounds);

@@ -1,0 +1,212 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: MIT
+// Included once for each kind of vector unit.
+#if defined(HEXAPOSE_LANE_STEPS) == defined(HWY_TARGET_TOGGLE)
+#ifdef HEXAPOSE_LANE_STEPS
+#undef HEXAPOSE_LANE_STEPS
+#else
+#define HEXAPOSE_LANE_STEPS
+#endif
+
+#include "core/kinematics/newton_lanes.h"
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace hexapose {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// A Newton step and what it needs, of one pose in each lane.
+template <class D>
+struct LaneSteps {
+    using V = hn::Vec<D>;
+    using M = hn::Mask<D>;
+
+    struct Place {
+        V c[3], q[4]; ///< centroid; quaternion w x y z of any length
+    };
+    struct Rotation {
+        V r[3][3];
+    };
+    /// Rows of the linear system: leg vectors d, moments m = R b x d, right-hand sides |d| (l - |d|).
+    struct Rows {
+        V d[3][kLegCount], m[3][kLegCount], e[kLegCount];
+        V residual2;
+    };
+    struct Step {
+        V t[3], w[3]; ///< displacement of the centroid, rotation vector
+        V determinant;
+    };
+    struct Target {
+        V l2[kLegCount], inverse2[kLegCount]; ///< squared lengths and their reciprocals
+        V inverseProduct;
+    };
+
+    static HWY_INLINE V set(double value) { return hn::Set(D(), value); }
+    static HWY_INLINE V dot3(V a0, V b0, V a1, V b1, V a2, V b2) {
+        return hn::MulAdd(a0, b0, hn::MulAdd(a1, b1, hn::Mul(a2, b2)));
+    }
+    /// One component of a cross product.
+    static HWY_INLINE V minor(V a, V b, V c, V d) { return hn::NegMulAdd(c, d, hn::Mul(a, b)); }
+
+    static HWY_INLINE Target target(const V* l) {
+        Target out;
+        // One division for six reciprocals.
+        V left[kLegCount], right[kLegCount];
+        left[0] = l[0];
+        right[kLegCount - 1] = l[kLegCount - 1];
+        for (int i = 1; i < kLegCount; ++i) {
+            left[i] = hn::Mul(left[i - 1], l[i]);
+            right[kLegCount - 1 - i] = hn::Mul(right[kLegCount - i], l[kLegCount - 1 - i]);
+        }
+        out.inverseProduct = hn::Div(set(1.0), left[kLegCount - 1]);
+        for (int i = 0; i < kLegCount; ++i) {
+            V inverse = out.inverseProduct;
+            if (i > 0)
+                inverse = hn::Mul(inverse, left[i - 1]);
+            if (i + 1 < kLegCount)
+                inverse = hn::Mul(inverse, right[i + 1]);
+            out.inverse2[i] = hn::Mul(inverse, inverse);
+            out.l2[i] = hn::Mul(l[i], l[i]);
+        }
+        return out;
+    }
+
+    static HWY_INLINE Rotation rotation(const V* q) {
+        const V w = q[0], x = q[1], y = q[2], z = q[3], one = set(1.0);
+        const V k =
+            hn::Div(set(2.0), hn::Add(hn::MulAdd(w, w, hn::Mul(x, x)), hn::MulAdd(y, y, hn::Mul(z, z))));
+        const V kx = hn::Mul(k, x), ky = hn::Mul(k, y), kz = hn::Mul(k, z);
+        Rotation out;
+        out.r[0][0] = hn::NegMulAdd(kz, z, hn::NegMulAdd(ky, y, one));
+        out.r[1][1] = hn::NegMulAdd(kz, z, hn::NegMulAdd(kx, x, one));
+        out.r[2][2] = hn::NegMulAdd(ky, y, hn::NegMulAdd(kx, x, one));
+        const V wx = hn::Mul(kx, w), wy = hn::Mul(ky, w), wz = hn::Mul(kz, w);
+        const V xy = hn::Mul(kx, y), xz = hn::Mul(kx, z), yz = hn::Mul(ky, z);
+        out.r[0][1] = hn::Sub(xy, wz);
+        out.r[1][0] = hn::Add(xy, wz);
+        out.r[0][2] = hn::Add(xz, wy);
+        out.r[2][0] = hn::Sub(xz, wy);
+        out.r[1][2] = hn::Sub(yz, wx);
+        out.r[2][1] = hn::Add(yz, wx);
+        return out;
+    }
+
+    static HWY_INLINE void evaluate(const LaneMachine& machine, const Place& at, const Rotation& R,
+                                    const Target& to, Rows& rows) {
+        V sum = hn::Zero(D());
+        for (std::size_t i = 0; i < kLegCount; ++i) {
+            V b[3], u[3], r[3];
+            for (std::size_t k = 0; k < 3; ++k) {
+                b[k] = set(machine.joint[k][i]);
+                u[k] = hn::Sub(at.c[k], set(machine.base[k][i]));
+            }
+            for (std::size_t k = 0; k < 3; ++k) {
+                r[k] = dot3(R.r[k][0], b[0], R.r[k][1], b[1], R.r[k][2], b[2]);
+                rows.d[k][i] = hn::Add(u[k], r[k]);
+            }
+            rows.m[0][i] = minor(r[1], u[2], r[2], u[1]); // r x d = r x u
+            rows.m[1][i] = minor(r[2], u[0], r[0], u[2]);
+            rows.m[2][i] = minor(r[0], u[1], r[1], u[0]);
+            // |d| (l - |d|) without a root: with t = l^2 - d^2 and u = (t / l^2)
+            // it is t/2 (1 - u/4 - u^2/8 - ...); only the last, exact, digits decide, and there u is nothing.
+            const V t = hn::Sub(to.l2[i], dot3(rows.d[0][i], rows.d[0][i], rows.d[1][i], rows.d[1][i],
+                                               rows.d[2][i], rows.d[2][i]));
+            const V part = hn::Mul(t, to.inverse2[i]), half = hn::Mul(t, set(0.5));
+            rows.e[i] = hn::Mul(half, hn::NegMulAdd(part, hn::MulAdd(part, set(0.125), set(0.25)), set(1.0)));
+            sum = hn::MulAdd(hn::Mul(half, half), to.inverse2[i], sum);
+        }
+        rows.residual2 = sum;
+    }
+
+    /// Inverse of three rows times its determinant: columns are cross products of the other two.
+    static HWY_INLINE V adjugate(const V rows[3][3], V out[3][3]) {
+        for (int k = 0; k < 3; ++k) {
+            const V* a = rows[(k + 1) % 3];
+            const V* b = rows[(k + 2) % 3];
+            out[0][k] = minor(a[1], b[2], a[2], b[1]);
+            out[1][k] = minor(a[2], b[0], a[0], b[2]);
+            out[2][k] = minor(a[0], b[1], a[1], b[0]);
+        }
+        return dot3(rows[0][0], out[0][0], rows[0][1], out[1][0], rows[0][2], out[2][0]);
+    }
+
+    /// The step by 3x3 blocks: the first triple gives the displacement in terms of the rotation, which leaves
+    /// three equations of the second for the rotation. These are kept times the first determinant, so that
+    /// its reciprocal is not waited for.
+    static HWY_INLINE Step solve(const Rows& rows) {
+        V legs[3][3], adjugate1[3][3];
+        for (int i = 0; i < 3; ++i)
+            for (int k = 0; k < 3; ++k)
+                legs[i][k] = rows.d[k][i];
+        const V det1 = adjugate(legs, adjugate1);
+        const V scale1 = hn::Div(set(1.0), det1);
+        V mixed[3][3], x[3], rest[3][3], right[3], adjugate2[3][3];
+        for (int k = 0; k < 3; ++k)
+            x[k] = dot3(adjugate1[k][0], rows.e[0], adjugate1[k][1], rows.e[1], adjugate1[k][2], rows.e[2]);
+        for (int j = 0; j < 3; ++j)
+            for (int k = 0; k < 3; ++k)
+                mixed[k][j] = dot3(adjugate1[k][0], rows.m[j][0], adjugate1[k][1], rows.m[j][1],
+                                   adjugate1[k][2], rows.m[j][2]);
+        for (int i = 0; i < 3; ++i) {
+            const auto less = [&rows, i](V value, V x0, V x1, V x2) HWY_ATTR {
+                return hn::NegMulAdd(
+                    rows.d[0][3 + i], x0,
+                    hn::NegMulAdd(rows.d[1][3 + i], x1, hn::NegMulAdd(rows.d[2][3 + i], x2, value)));
+            };
+            right[i] = less(hn::Mul(det1, rows.e[3 + i]), x[0], x[1], x[2]);
+            for (int j = 0; j < 3; ++j)
+                rest[i][j] = less(hn::Mul(det1, rows.m[j][3 + i]), mixed[0][j], mixed[1][j], mixed[2][j]);
+        }
+        const V det2 = adjugate(rest, adjugate2);
+        const V scale2 = hn::Div(set(1.0), det2);
+        Step step;
+        for (int k = 0; k < 3; ++k)
+            step.w[k] = hn::Mul(scale2, dot3(adjugate2[k][0], right[0], adjugate2[k][1], right[1],
+                                             adjugate2[k][2], right[2]));
+        for (int k = 0; k < 3; ++k)
+            step.t[k] =
+                hn::Mul(scale1, hn::NegMulAdd(mixed[k][0], step.w[0],
+                                              hn::NegMulAdd(mixed[k][1], step.w[1],
+                                                            hn::NegMulAdd(mixed[k][2], step.w[2], x[k]))));
+        step.determinant = hn::Mul(det2, hn::Mul(scale1, scale1)); // det2 was taken of rows times det1
+        return step;
+    }
+
+    /// The rotation by the Cayley transform of the step: no trigonometry, exact to third order.
+    static HWY_INLINE void move(Place& place, const Step& step) {
+        for (int k = 0; k < 3; ++k)
+            place.c[k] = hn::Add(place.c[k], step.t[k]);
+        const V half = set(0.5), w = place.q[0], x = place.q[1], y = place.q[2], z = place.q[3];
+        const V hx = hn::Mul(half, step.w[0]), hy = hn::Mul(half, step.w[1]), hz = hn::Mul(half, step.w[2]);
+        place.q[0] = hn::NegMulAdd(hx, x, hn::NegMulAdd(hy, y, hn::NegMulAdd(hz, z, w)));
+        place.q[1] = hn::MulAdd(hx, w, hn::MulAdd(hy, z, hn::NegMulAdd(hz, y, x)));
+        place.q[2] = hn::MulAdd(hy, w, hn::MulAdd(hz, x, hn::NegMulAdd(hx, z, y)));
+        place.q[3] = hn::MulAdd(hz, w, hn::MulAdd(hx, y, hn::NegMulAdd(hy, x, z)));
+    }
+
+    static HWY_INLINE Step stepFromHome(const LaneMachine& machine, const V* error) {
+        V x[kLegCount];
+        for (std::size_t i = 0; i < kLegCount; ++i) {
+            x[i] = hn::Mul(set(machine.homeInverse[i][0]), error[0]);
+            for (std::size_t j = 1; j < kLegCount; ++j)
+                x[i] = hn::MulAdd(set(machine.homeInverse[i][j]), error[j], x[i]);
+        }
+        return {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, set(machine.homeDeterminant)};
+    }
+
+    static HWY_INLINE V stepSquare(const LaneMachine& machine, const Step& step) {
+        const V turn = dot3(step.w[0], step.w[0], step.w[1], step.w[1], step.w[2], step.w[2]);
+        return hn::MulAdd(set(machine.spread * machine.spread), turn,
+                          dot3(step.t[0], step.t[0], step.t[1], step.t[1], step.t[2], step.t[2]));
+    }
+};
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace hexapose
+HWY_AFTER_NAMESPACE();
+#endif
