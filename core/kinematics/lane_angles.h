@@ -39,8 +39,11 @@ HWY_INLINE hn::Vec<One> secondOf(hn::Vec<Two> both) {
     return hn::UpperHalf(One(), both);
 }
 #endif
+HWY_INLINE hn::Vec<Two> bothOf(hn::Vec<One> a) {
+    return hn::Set(Two(), hn::GetLane(a));
+}
 HWY_INLINE hn::Vec<One> firstOf(hn::Vec<Two> both) {
-    return hn::Set(One(), hn::GetLane(both));
+    return hn::LowerHalf(One(), both);
 }
 
 /// With an eighth of a turn taken off where that leaves less, so that a short polynomial does; its

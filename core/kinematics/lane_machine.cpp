@@ -80,8 +80,8 @@ LaneMachine LegEquations::laneMachine(double homeDeterminant) const {
         const int leg = machine.order[place];
         const double base[] = {m_ax[leg], m_ay[leg], m_az[leg]}, joint[] = {m_bx[leg], m_by[leg], m_bz[leg]};
         for (std::size_t k = 0; k < 3; ++k) {
-            machine.base[k][place] = base[k];
-            machine.joint[k][place] = joint[k];
+            machine.base[k][placeInMemory(place)] = base[k];
+            machine.joint[k][placeInMemory(place)] = joint[k];
         }
         machine.homeLength[place] = at.length[leg];
         for (std::size_t k = 0; k < kLegCount; ++k)

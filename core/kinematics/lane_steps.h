@@ -19,6 +19,38 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// One leg, or several side by side: its row of the linear system.
+template <class V>
+struct LegRow {
+    V d[3], m[3], e; ///< leg vector, moment R b x d, right-hand side |d| (l - |d|)
+};
+
+/// Adds the square of |d| - l to sum.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE LegRow<V> evaluateLeg(D tag, const V* base, const V* joint, const V* centroid, const V (*R)[3],
+                                 V length2, V inverse2, V& sum) {
+    const auto set = [tag](double value) HWY_ATTR { return hn::Set(tag, value); };
+    LegRow<V> leg;
+    V u[3], r[3];
+    for (int k = 0; k < 3; ++k) {
+        u[k] = hn::Sub(centroid[k], base[k]);
+        r[k] = hn::MulAdd(R[k][0], joint[0], hn::MulAdd(R[k][1], joint[1], hn::Mul(R[k][2], joint[2])));
+        leg.d[k] = hn::Add(u[k], r[k]);
+    }
+    for (int k = 0; k < 3; ++k) { // r x d = r x u
+        const int p = (k + 1) % 3, q = (k + 2) % 3;
+        leg.m[k] = hn::NegMulAdd(r[q], u[p], hn::Mul(r[p], u[q]));
+    }
+    // |d| (l - |d|) without a root: with t = l^2 - d^2 and u = t / l^2 it is t/2 (1 - u/4 - u^2/8 - ...);
+    // only the last, exact, digits decide, and there u is nothing.
+    const V t = hn::NegMulAdd(leg.d[0], leg.d[0],
+                              hn::NegMulAdd(leg.d[1], leg.d[1], hn::NegMulAdd(leg.d[2], leg.d[2], length2)));
+    const V part = hn::Mul(t, inverse2), half = hn::Mul(t, set(0.5));
+    leg.e = hn::Mul(half, hn::NegMulAdd(part, hn::MulAdd(part, set(0.125), set(0.25)), set(1.0)));
+    sum = hn::MulAdd(hn::Mul(half, half), inverse2, sum);
+    return leg;
+}
+
 /// A Newton step and what it needs, of one pose in each lane.
 template <class D>
 struct LaneSteps {
@@ -97,29 +129,21 @@ struct LaneSteps {
 
     static HWY_INLINE void evaluate(const LaneMachine& machine, const Place& at, const Rotation& R,
                                     const Target& to, Rows& rows) {
-        V sum = hn::Zero(D());
+        rows.residual2 = hn::Zero(D());
         for (std::size_t i = 0; i < kLegCount; ++i) {
-            V b[3], u[3], r[3];
+            V base[3], joint[3];
             for (std::size_t k = 0; k < 3; ++k) {
-                b[k] = set(machine.joint[k][i]);
-                u[k] = hn::Sub(at.c[k], set(machine.base[k][i]));
+                base[k] = set(machine.base[k][placeInMemory(i)]);
+                joint[k] = set(machine.joint[k][placeInMemory(i)]);
             }
+            const auto leg =
+                evaluateLeg(D(), base, joint, at.c, R.r, to.l2[i], to.inverse2[i], rows.residual2);
             for (std::size_t k = 0; k < 3; ++k) {
-                r[k] = dot3(R.r[k][0], b[0], R.r[k][1], b[1], R.r[k][2], b[2]);
-                rows.d[k][i] = hn::Add(u[k], r[k]);
+                rows.d[k][i] = leg.d[k];
+                rows.m[k][i] = leg.m[k];
             }
-            rows.m[0][i] = minor(r[1], u[2], r[2], u[1]); // r x d = r x u
-            rows.m[1][i] = minor(r[2], u[0], r[0], u[2]);
-            rows.m[2][i] = minor(r[0], u[1], r[1], u[0]);
-            // |d| (l - |d|) without a root: with t = l^2 - d^2 and u = (t / l^2)
-            // it is t/2 (1 - u/4 - u^2/8 - ...); only the last, exact, digits decide, and there u is nothing.
-            const V t = hn::Sub(to.l2[i], dot3(rows.d[0][i], rows.d[0][i], rows.d[1][i], rows.d[1][i],
-                                               rows.d[2][i], rows.d[2][i]));
-            const V part = hn::Mul(t, to.inverse2[i]), half = hn::Mul(t, set(0.5));
-            rows.e[i] = hn::Mul(half, hn::NegMulAdd(part, hn::MulAdd(part, set(0.125), set(0.25)), set(1.0)));
-            sum = hn::MulAdd(hn::Mul(half, half), to.inverse2[i], sum);
+            rows.e[i] = leg.e;
         }
-        rows.residual2 = sum;
     }
 
     /// Inverse of three rows times its determinant: columns are cross products of the other two.

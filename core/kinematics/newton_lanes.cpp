@@ -58,6 +58,36 @@ struct Newton : LaneSteps<D> {
         M solved;
     };
 
+    /// evaluate() of a single pose: a leg of each triple side by side.
+    static HWY_INLINE void evaluateInPairs(const LaneMachine& machine, const Run& run, const Target& to,
+                                           Rows& rows) {
+        using P = hn::Vec<Two>;
+        P centroid[3], R[3][3], sum = hn::Zero(Two());
+        for (int k = 0; k < 3; ++k) {
+            centroid[k] = bothOf(run.place.c[k]);
+            for (int j = 0; j < 3; ++j)
+                R[k][j] = bothOf(run.rotation.r[k][j]);
+        }
+        for (std::size_t i = 0; i < 3; ++i) {
+            P base[3], joint[3];
+            for (std::size_t k = 0; k < 3; ++k) {
+                base[k] = hn::LoadU(Two(), machine.base[k].data() + placeInMemory(i));
+                joint[k] = hn::LoadU(Two(), machine.joint[k].data() + placeInMemory(i));
+            }
+            const auto legs = evaluateLeg(Two(), base, joint, centroid, R, pairOf(to.l2[i], to.l2[3 + i]),
+                                          pairOf(to.inverse2[i], to.inverse2[3 + i]), sum);
+            for (std::size_t k = 0; k < 3; ++k) {
+                rows.d[k][i] = firstOf(legs.d[k]);
+                rows.d[k][3 + i] = secondOf(legs.d[k]);
+                rows.m[k][i] = firstOf(legs.m[k]);
+                rows.m[k][3 + i] = secondOf(legs.m[k]);
+            }
+            rows.e[i] = firstOf(legs.e);
+            rows.e[3 + i] = secondOf(legs.e);
+        }
+        rows.residual2 = hn::Add(firstOf(sum), secondOf(sum));
+    }
+
     /// Takes a step in the lanes that are still at work.
     static HWY_INLINE void take(const LaneMachine& machine, Step& step, M active, Run& run) {
         if constexpr (kSingle) {
@@ -108,7 +138,10 @@ struct Newton : LaneSteps<D> {
         }
         for (;; ++steps) {
             Rows rows;
-            evaluate(machine, run.place, run.rotation, to, rows);
+            if constexpr (kSingle && kHasPairs)
+                evaluateInPairs(machine, run, to, rows);
+            else
+                evaluate(machine, run.place, run.rotation, to, rows);
             if (steps == 0)
                 run.startResidual2 = rows.residual2;
             // Not a number is not less.

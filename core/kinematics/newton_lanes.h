@@ -15,8 +15,8 @@ namespace hexapose {
 /// the first is the one whose leg vectors at home span the largest volume, so that their 3x3 block can be
 /// inverted without a search for pivots.
 struct LaneMachine {
-    std::array<int, kLegCount> order{}; ///< place -> leg
-    std::array<std::array<double, kLegCount>, 3> base{}, joint{};
+    std::array<int, kLegCount> order{};                           ///< place -> leg
+    std::array<std::array<double, kLegCount>, 3> base{}, joint{}; ///< see placeInMemory()
     std::array<double, kLegCount> homeLength{};
     std::array<std::array<double, kLegCount>, kLegCount> homeInverse{}; ///< of the Jacobian at home
     std::array<double, 3> homeOrigin{};  ///< platform origin at home, base frame
@@ -32,6 +32,11 @@ struct LaneMachine {
     double leastDeterminant = 0.0; ///< of the Jacobian, without sign
     double determinantSlope = 0.0; ///< most that it changed on those rays, over the norm of the step
 };
+
+/// A leg of the first triple stands beside one of the second: a single solution takes them in pairs.
+constexpr std::size_t placeInMemory(std::size_t place) {
+    return 2 * (place % 3) + place / 3;
+}
 
 /// Where plain Newton steps led. What is not `solved` needs another way; what is not `clear` too: the pose is
 /// outside the box, near gimbal lock, or its side is not certain.
