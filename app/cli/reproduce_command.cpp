@@ -59,6 +59,7 @@ void makeDirectory(const fs::path& directory) {
 std::vector<Exhibit> makeExhibits(const std::vector<ExhibitMaker>& makers, const PlatformGeometry& platform) {
     reproduce::Experiment experiment(platform);
     std::vector<Exhibit> exhibits;
+    exhibits.reserve(makers.size());
     const auto count = static_cast<double>(makers.size());
     for (const ExhibitMaker& maker : makers)
         exhibits.push_back(maker.make(experiment, [&](double part) {

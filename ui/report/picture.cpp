@@ -65,7 +65,8 @@ void paintPicture(QPainter& painter, const QRectF& area, const Picture& picture)
     }
     const QSizeF step = picture.panel + QSizeF(kPanelGap, kPanelGap);
     for (int i = 0; i < static_cast<int>(picture.plots.size()); ++i) {
-        const QPointF cell(step.width() * (i % picture.columns), step.height() * (i / picture.columns));
+        const int row = i / picture.columns, column = i % picture.columns;
+        const QPointF cell(step.width() * column, step.height() * row);
         paintPlot(painter, QRectF(corner + cell * unit, picture.panel * unit),
                   picture.plots[static_cast<std::size_t>(i)], unit);
     }
