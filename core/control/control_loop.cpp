@@ -122,15 +122,15 @@ LegLengths ControlLoop::Impl::holdPoint() const {
 void ControlLoop::Impl::watchIdentity() {
     if (!takesCommands())
         return;
-    Identity now{feedback.controllerName, feedback.minLength, feedback.maxLength};
-    if (identity && *identity != now && (move || commanded)) {
-        std::string detail = now.name;
-        if (now.minLength && now.maxLength)
-            detail += ", " + formatNumber(mmFromMetres(*now.minLength)) + " to " +
-                      formatNumber(mmFromMetres(*now.maxLength)) + " mm";
+    Identity present{feedback.controllerName, feedback.minLength, feedback.maxLength};
+    if (identity && *identity != present && (move || commanded)) {
+        std::string detail = present.name;
+        if (present.minLength && present.maxLength)
+            detail += ", " + formatNumber(mmFromMetres(*present.minLength)) + " to " +
+                      formatNumber(mmFromMetres(*present.maxLength)) + " mm";
         stop({EventCode::StoppedOnNewIdentity, 0.0, detail});
     }
-    identity = std::move(now);
+    identity = std::move(present);
 }
 
 SetPoints ControlLoop::Impl::nextSetPoints(Clock::time_point time) {

@@ -70,7 +70,7 @@ TEST_F(JointMoveTest, SettlesOnlyAfterTheWholeTimeInsideTheWindow) {
 }
 
 TEST_F(JointMoveTest, ALateCycleSlowsThePathAndMakesNoLeap) {
-    constexpr auto kLongestStep = 30ms;
+    constexpr auto kMostOfCycle = 30ms;
     constexpr double kLegSpeed = 0.04;
     JointMove move = begin(ControllerState::Enabled);
     move.start(m_here, kLegSpeed, m_start);
@@ -78,7 +78,7 @@ TEST_F(JointMoveTest, ALateCycleSlowsThePathAndMakesNoLeap) {
     LegLengths last = m_here;
     for (int cycle = 0; move.phase() == Phase::Moving && cycle < 1000; ++cycle) {
         now += cycle == 40 ? 2000ms : 10ms;
-        move.step(now, kLongestStep);
+        move.step(now, kMostOfCycle);
         move.update(ControllerState::Enabled, m_here, kWindow, now);
         const LegLengths next = move.setPoint().value();
         EXPECT_LE((next - last).cwiseAbs().maxCoeff(), 1.001 * kLegSpeed * 0.030) << cycle;
