@@ -38,6 +38,8 @@ public:
     explicit LegEquations(const PlatformGeometry& geometry);
 
     double size() const noexcept { return m_size; }
+    double spread() const noexcept { return m_spread; }
+    const Eigen::Vector3d& centroidInP() const noexcept { return m_centroidInP; }
     Legs scaled(const LegLengths& lengths) const noexcept { return lengths.array() / m_size; }
 
     Placement placementOf(const Pose& pose) const noexcept;

@@ -4,6 +4,7 @@
 
 #include "core/kinematics/inverse_kinematics.h"
 #include "core/kinematics/jacobian.h"
+#include "core/kinematics/leg_equations.h"
 #include "core/kinematics/singularity.h"
 
 #include <Eigen/LU>
@@ -35,23 +36,17 @@ PoseAccuracy poseAccuracy(const PlatformGeometry& geometry, const Pose& pose, do
     const SingularityMeasure measure = singularityMeasure(geometry, pose);
     PoseAccuracy accuracy{measure.smallestSingularValue, measure.condition, kInfinity, kInfinity};
 
-    // As in the scaled Jacobian: arms about the centroid of the platform joints, lengths over the machine's
-    // size.
-    const double size = geometry.size();
-    Eigen::Vector3d centroid = Eigen::Vector3d::Zero();
+    const LegEquations equations(geometry);
+    const double size = equations.size(), spread = equations.spread();
+    const Eigen::Vector3d& centroid = equations.centroidInP(); // machine sizes
+    double reach = geometry.p_OP_home_B.norm() + pose.offset.norm();
     for (const Leg& leg : geometry.legs)
-        centroid += leg.p_PB_P / kLegCount;
-    double sum = 0.0, reach = geometry.p_OP_home_B.norm() + pose.offset.norm();
-    for (const Leg& leg : geometry.legs) {
-        sum += (leg.p_PB_P - centroid).squaredNorm();
         reach = std::max({reach, leg.p_OA_B.norm(), leg.p_PB_P.norm()});
-    }
-    const double spread = std::sqrt(sum / kLegCount) / size;
     const LegLengths lengths = legLengths(geometry, pose) / size;
     const double sigma = measure.smallestSingularValue;
     double second = 0.0, mostMotion = kInfinity;
     for (int i = 0; i < kLegCount; ++i) {
-        const double arm = (geometry.legs[static_cast<std::size_t>(i)].p_PB_P - centroid).norm() / size;
+        const double arm = (geometry.legs[static_cast<std::size_t>(i)].p_PB_P / size - centroid).norm();
         const double speed2 =
             1.0 + (arm / spread) * (arm / spread); // of the joint, for a motion of unit extent
         const double k = speed2 / (kLeastLength * lengths[i]) + arm / (spread * spread);
@@ -66,7 +61,7 @@ PoseAccuracy poseAccuracy(const PlatformGeometry& geometry, const Pose& pose, do
     const double motion = 2.0 * error / (sigma + std::sqrt(discriminant));
     if (!(motion <= mostMotion))
         return accuracy;
-    const double lever = centroid.norm() / size / spread;
+    const double lever = centroid.norm() / spread;
     accuracy.offsetBound = motion * std::sqrt(1.0 + lever * lever) * size + kRoundings * reach;
     accuracy.angleBound = motion / spread + kRoundings;
     return accuracy;
