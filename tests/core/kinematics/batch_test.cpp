@@ -4,6 +4,7 @@
 #include "core/kinematics/newton_lanes.h"
 #include "core/kinematics/newton_raphson.h"
 #include "test_machines.h"
+#include "tests/support/sample_count.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +12,8 @@
 
 namespace hexapose::testing {
 namespace {
+
+using testing_support::samples;
 
 constexpr double kSame = 1e-12; ///< machine sizes and radians
 
@@ -81,7 +84,7 @@ TEST(Batch, WidePosesTooAndOnSeveralThreads) {
     const NewtonRaphson newton(machine, {});
     RandomPoses poses(0.08, radiansFromDeg(75.0), 3);
     std::vector<LegLengths> lengths;
-    for (int i = 0; i < 5003; ++i)
+    for (int i = 0; i < samples(5000) + 3; ++i)
         lengths.push_back(legLengths(machine, poses.next()));
     const auto one = solveAll(newton, lengths), several = solveAll(newton, lengths, 3);
     for (std::size_t i = 0; i < lengths.size(); ++i) {

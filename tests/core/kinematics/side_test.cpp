@@ -5,12 +5,15 @@
 #include "core/kinematics/newton_raphson.h"
 #include "core/kinematics/singularity.h"
 #include "test_machines.h"
+#include "tests/support/sample_count.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 namespace hexapose::testing {
 namespace {
+
+using testing_support::samples;
 
 double partOfHome(const PlatformGeometry& machine, const Pose& pose) {
     return singularityMeasure(machine, pose).determinant / singularityMeasure(machine, Pose{}).determinant;
@@ -55,7 +58,8 @@ struct Wide {
 TEST(Side, WidePosesAreRightOrSaySoOrAreJoinedToHome) {
     const PlatformGeometry machine = laboratory();
     const NewtonRaphson newton(machine, {});
-    for (const Wide& wide : {Wide{60.0, 60.0, 0.999, 4000}, Wide{80.0, 75.0, 0.993, 4000}}) {
+    for (const Wide& wide :
+         {Wide{60.0, 60.0, 0.999, samples(4000)}, Wide{80.0, 75.0, 0.993, samples(4000)}}) {
         RandomPoses poses(metresFromMm(wide.mm), radiansFromDeg(wide.deg), 20230382);
         int onSide = 0, right = 0;
         for (int i = 0; i < wide.count; ++i) {
@@ -83,7 +87,7 @@ TEST(Side, WidePosesAreRightOrSaySoOrAreJoinedToHome) {
 
 /// Two minutes and three quarters of motion at 100 Hz, a hundred times over.
 TEST(Side, AStreamNeverChangesItsBranch) {
-    constexpr int kFrames = 1000000;
+    constexpr int kFrames = samples(1000000);
     constexpr double kResolution = 1e-4;
     const PlatformGeometry machine = laboratory();
     const NewtonRaphson newton(machine, {});

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/run_bench.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace hexapose::apptest {
+
+Ran runWell(const ForeignController::Traits& traits, const ForeignController::Plan& plan,
+            const std::vector<Six>& poses, bool report) {
+    Ran ran;
+    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+        ran.bench = std::make_unique<Bench>(traits, plan, poses);
+        std::vector<std::string> more;
+        if (report)
+            more = {"--report", ran.bench->scratch.path("report")};
+        ran.outcome = ran.bench->run(more);
+        if (ran.outcome.status == 0 || !ran.bench->controller.starved())
+            break;
+    }
+    return ran;
+}
+
+void expectReached(const std::string& errorsCsv, const std::vector<Six>& targets, double withinMm) {
+    const Table errors(errorsCsv);
+    ASSERT_THAT(errors.rows, testing::SizeIs(targets.size()));
+    for (std::size_t row = 0; row < targets.size(); ++row) {
+        EXPECT_EQ(errors.field(row, "status"), "converged");
+        for (std::size_t k = 0; k < 6; ++k)
+            EXPECT_NEAR(errors.number(row, poseColumns()[k]), targets[row][k], withinMm) << poseColumns()[k];
+    }
+}
+
+std::vector<std::string> typesOf(const std::vector<std::string>& payloads) {
+    std::vector<std::string> types;
+    for (const std::string& payload : payloads) {
+        const std::string type = splitFields(payload).front();
+        if (types.empty() || types.back() != type)
+            types.push_back(type);
+    }
+    return types;
+}
+
+void expectReport(const std::string& directory) {
+    EXPECT_THAT(readText(directory + "/report.pdf"), testing::StartsWith("%PDF-"));
+    EXPECT_THAT(readText(directory + "/errors.png"), testing::StartsWith("\x89PNG"));
+    EXPECT_THAT(readText(directory + "/errors.svg"), testing::HasSubstr("<svg"));
+}
+
+ForeignController::Traits asTheyAre(ForeignController::Traits traits) {
+    traits.bootState = 'D';
+    return traits;
+}
+
+} // namespace hexapose::apptest
