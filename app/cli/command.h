@@ -19,6 +19,7 @@ int trainCommand(const QStringList& arguments);
 int simulateCommand(const QStringList& arguments);
 int runCommand(const QStringList& arguments);
 int reportCommand(const QStringList& arguments);
+int experimentCommand(const QStringList& arguments);
 int reproduceCommand(const QStringList& arguments);
 
 } // namespace hexapose

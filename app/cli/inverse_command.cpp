@@ -23,6 +23,7 @@ int inverseCommand(const QStringList& words) {
     MotionLimits limits = motionLimits(platform, std::nullopt, std::nullopt);
     limits.singularityMargin =
         0.0; // strokes alone are judged here; the way to a pose is a matter of the move
+    limits.leastDeterminantRatio = -std::numeric_limits<double>::infinity();
 
     bool allOk = true;
     std::string out = "l1_mm,l2_mm,l3_mm,l4_mm,l5_mm,l6_mm,status\n";

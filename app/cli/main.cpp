@@ -33,6 +33,7 @@ constexpr Command kCommands[] = {
     {"run", runCommand, true, "move a platform through a list of attitudes, and report"},
     {"report", reportCommand, true, "the error report of a recorded run"},
     {"reproduce", reproduceCommand, true, "the published tables and figures beside measured values"},
+    {"experiment", experimentCommand, true, "closed loop: joint mode against workspace mode, simulated"},
 };
 
 void printHelp() {

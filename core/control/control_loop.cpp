@@ -14,46 +14,39 @@ namespace hexapose {
 
 namespace {
 
-constexpr double kStrokeSeconds = 2.5;   ///< default leg speed: mean stroke in so long
-constexpr double kFastestLeg = 0.08;     ///< m/s, below what the drives can do
 constexpr double kSettleWindow = 2e-4;   ///< m
 constexpr double kSettleOfStroke = 2e-3; ///< for machines with tiny strokes
 /// Largest distance of a leg from its set-point, of the machine's size: 24 mm for the laboratory platform,
 /// whose legs lag by 10 mm at most.
 constexpr double kFollowingOfSize = 0.08;
-constexpr double kOrdinaryLag = 0.3; ///< s; a machine of long strokes for its size may lag further
+constexpr double kOrdinaryLag = 0.3;    ///< s; a machine of long strokes for its size may lag further
+constexpr double kGapOfFollowing = 0.5; ///< a set-point goes so far ahead of its leg, of what would stop
+constexpr double kRestOfWindow = 0.3;   ///< an error so small is not corrected any more, of the settle window
 constexpr std::chrono::milliseconds kShutDownWithin{1500}; ///< a disabling is repeated for so long
 
 ControlOptions completed(ControlOptions options, const PlatformGeometry& geometry) {
+    options.bounds = completed(options.bounds, geometry);
     double stroke = 0.0;
     for (const Leg& leg : geometry.legs)
         stroke += (leg.maxLength - leg.minLength) / kLegCount;
-    if (options.legSpeed <= 0.0)
-        options.legSpeed = std::min(stroke / kStrokeSeconds, kFastestLeg);
-    if (options.settleWindow <= 0.0)
-        options.settleWindow = std::min(kSettleWindow, kSettleOfStroke * stroke);
+    if (options.settleWindow.distance <= 0.0)
+        options.settleWindow.distance = std::min(kSettleWindow, kSettleOfStroke * stroke);
+    if (options.settleWindow.angle <= 0.0)
+        options.settleWindow.angle = options.settleWindow.distance / geometry.jointRadius();
     if (options.followingLimit <= 0.0)
         options.followingLimit =
-            std::max(kFollowingOfSize * geometry.size(), kOrdinaryLag * options.legSpeed);
+            std::max(kFollowingOfSize * geometry.size(), kOrdinaryLag * options.bounds.legSpeed);
     return options;
 }
 
-RunState fromController(ControllerState state) {
-    switch (state) {
-    case ControllerState::Unknown:
-        return RunState::Disconnected;
-    case ControllerState::Unreferenced:
-        return RunState::Unreferenced;
-    case ControllerState::Disabled:
-        return RunState::Disabled;
-    case ControllerState::Enabled:
-        return RunState::Enabled;
-    case ControllerState::Stopped:
-        return RunState::Stopped;
-    case ControllerState::Fault:
-        return RunState::Fault;
-    }
-    return RunState::Disconnected;
+WorkspaceOptions workspaceOptions(const ControlOptions& options) {
+    WorkspaceOptions workspace;
+    workspace.gain = options.gain;
+    workspace.legSpeed = options.bounds.legSpeed;
+    workspace.gapLimit = kGapOfFollowing * options.followingLimit;
+    workspace.restDistance = kRestOfWindow * options.settleWindow.distance;
+    workspace.restAngle = kRestOfWindow * options.settleWindow.angle;
+    return workspace;
 }
 
 } // namespace
@@ -63,28 +56,32 @@ ControlLoop::Impl::Impl(PlatformDevice& theDevice, const PlatformGeometry& theGe
                         Now theNow)
     : device(theDevice), geometry(theGeometry), solver(theSolver),
       options(completed(theOptions, theGeometry)), sink(std::move(theSink)), now(std::move(theNow)),
-      sessionStart(now()), monitor(options.staleAfter), follow(options.followingLimit, options.echoWithin) {}
+      sessionStart(now()), monitor(options.staleAfter), follow(options.followingLimit, options.echoWithin),
+      homeDeterminant(singularityMeasure(geometry, Pose{}).determinant),
+      workspace(geometry, workspaceOptions(options)) {}
 
-RunState ControlLoop::Impl::state() const {
-    if (feedback.link == LinkState::ListenOnly)
-        return RunState::Disabled; // an unprotected sender takes no commands
-    if (feedback.link != LinkState::Connected)
-        return RunState::Disconnected;
-    if (feedback.state == ControllerState::Fault)
-        return RunState::Fault;
-    if (stopLatched)
-        return RunState::Stopped;
-    if (feedback.state == ControllerState::Enabled && move) {
-        if (move->phase() == JointMove::Phase::Moving)
-            return RunState::Moving;
-        if (move->phase() == JointMove::Phase::Settling)
-            return RunState::Settling;
-    }
-    return fromController(feedback.state);
+MotionLimits ControlLoop::Impl::limits() const {
+    MotionLimits all = motionLimits(geometry, feedback.minLength, feedback.maxLength);
+    all.envelope = options.envelope;
+    all.legSpeed = options.bounds.legSpeed;
+    all.legAcceleration = options.bounds.legAcceleration;
+    return all;
+}
+
+Transition ControlLoop::Impl::apply(MachineEvent event) {
+    const Transition made = transition(machine, event);
+    machine = made.next;
+    if (!made.defined && isCommand(event))
+        refuse(event);
+    return made;
 }
 
 void ControlLoop::Impl::dropMotion() {
     move.reset();
+    wish.reset();
+    law.reset();
+    jog = nullptr;
+    apply(MachineEvent::MotionDropped);
     commanded.reset();
     commandedPose.reset();
     follow.reset();
@@ -98,9 +95,9 @@ void ControlLoop::Impl::stop(Event cause) {
 
 void ControlLoop::Impl::halt() {
     unnamedStop.clear();
+    apply(MachineEvent::Trips);
     dropMotion();
-    stopLatched = takesCommands();
-    clearSent = tookOver = false;
+    tookOver = false;
     referenceTries = 0;
     pendingRequest = DeviceRequest::Stop;
 }
@@ -112,7 +109,7 @@ LegLengths ControlLoop::Impl::holdPoint() const {
     LegLengths hold = *measured;
     for (int i = 0; i < kLegCount; ++i) {
         const double within = std::min(std::max(hold[i], bounds.minLength[i]), bounds.maxLength[i]);
-        if (std::abs(within - hold[i]) <= options.settleWindow)
+        if (std::abs(within - hold[i]) <= options.settleWindow.distance)
             hold[i] = within;
     }
     return hold;
@@ -140,12 +137,21 @@ SetPoints ControlLoop::Impl::nextSetPoints(Clock::time_point time) {
     if (pendingRequest == DeviceRequest::None && move)
         request(move->takeRequest());
     out.request = std::exchange(pendingRequest, DeviceRequest::None);
-    if (out.request == DeviceRequest::Stop || stopLatched || !tookOver || !takesCommands() ||
+    const std::chrono::nanoseconds since = std::clamp<std::chrono::nanoseconds>(
+        time - std::exchange(lastStep, time), std::chrono::nanoseconds(0), options.longestPathStep);
+    const bool on = machine.run == RunState::Enabled || moving();
+    if (out.request == DeviceRequest::Stop || !on || !tookOver || !takesCommands() ||
         feedback.state != ControllerState::Enabled)
         return out;
-    if (moving()) {
-        move->step(time, options.longestPathStep);
-        commanded = move->setPoint();
+    if (law) {
+        if (jog && time - jogHeldAt > options.jogHold)
+            jog->release();
+        MotionLaw::Cycle cycle{std::chrono::duration<double>(since).count(), speed, {}, {}, limits()};
+        if (feedback.lengths && measuredPose) {
+            cycle.lengths = feedback.lengths;
+            cycle.pose = measuredPose;
+        }
+        commanded = law->step(cycle);
     } else if (!commanded && !monitor.stale()) {
         commanded = holdPoint(); // the controller's watchdog wants to hear us
     }
@@ -160,33 +166,14 @@ SetPoints ControlLoop::Impl::nextSetPoints(Clock::time_point time) {
     return out;
 }
 
-void ControlLoop::Impl::advanceMove(Clock::time_point time) {
-    if (!move)
-        return;
-    if (std::optional<Event> event =
-            move->update(feedback.state, feedback.lengths, options.settleWindow, time))
-        raise(std::move(*event));
-    if (move->phase() == JointMove::Phase::Failed)
-        return dropMotion();
-    if (move->phase() == JointMove::Phase::Settled)
-        return move.reset(); // the set-point is held from here on
-    if (move->phase() != JointMove::Phase::Ready || feedback.state != ControllerState::Enabled ||
-        !measuredPose)
-        return;
-    // Referencing may have moved the legs: judge the path again from where the platform is now.
-    const Verdict verdict = checkLegPath(geometry, limits(), *measuredPose, move->target());
-    if (!verdict.ok()) {
-        raise({EventCode::MoveRefused, 0.0, toWords(verdict)});
-        return dropMotion();
-    }
-    move->start(commanded.value_or(holdPoint()), options.legSpeed, time);
-    raise({EventCode::MoveStarted, std::chrono::duration<double>(move->duration()).count(), {}});
-}
-
 void ControlLoop::Impl::publish(Clock::time_point time) {
     if (commanded) {
-        const ForwardResult path = solver.solve(*commanded, commandedPose.value_or(lastPose));
-        commandedPose = path.isUsable() ? std::optional(path.pose) : std::nullopt;
+        const std::optional<PoseReference> reference = law ? law->reference() : std::nullopt;
+        const ForwardResult path =
+            reference ? ForwardResult{} : solver.solve(*commanded, commandedPose.value_or(lastPose));
+        commandedPose = reference         ? std::optional(reference->pose)
+                        : path.isUsable() ? std::optional(path.pose)
+                                          : std::nullopt;
     }
     Snapshot s;
     s.time = time - sessionStart;
@@ -208,6 +195,12 @@ void ControlLoop::Impl::publish(Clock::time_point time) {
     s.iterations = solution.iterations;
     s.residual = solution.residual;
     s.solveTime = solveTime;
+    s.mode = mode;
+    s.speed = speed;
+    if (measuredPose) {
+        s.smallestSingularValue = singularity.smallestSingularValue;
+        s.determinantRatio = singularity.determinant / homeDeterminant;
+    }
     s.feedbackRate = monitor.rateHz();
     s.period = feedback.period;
     s.minLength = feedback.minLength;
@@ -236,8 +229,6 @@ void ControlLoop::cycle() {
     loop.feedback = loop.device.exchange(loop.nextSetPoints(begin));
     const Clock::time_point time = loop.now();
     loop.takeFeedback(time);
-    loop.nameStop(time);
-    loop.noteStateChange();
     loop.watchIdentity();
     loop.watch(time);
     loop.advanceMove(time);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/control/limits.h"
+#include "core/control/motion_law.h"
 #include "core/control/operator_command.h"
 #include "core/device/platform_device.h"
 #include "core/geometry/platform_geometry.h"
@@ -18,13 +19,16 @@
 namespace hexapose {
 
 struct ControlOptions {
-    double legSpeed = 0.0; ///< m/s; 0: a stroke in 2.5 s, at most 80 mm/s
-    double settleWindow =
-        0.0; ///< m, largest leg error that counts as there; 0: 0.2 mm, less for tiny strokes
+    MotionBounds bounds;   ///< what is 0 is filled in from the machine
+    double gain = 8.0;     ///< 1/s, of the loop that is closed on the pose
+    PoseEnvelope envelope; ///< no further from home
+    /// Largest error that counts as there; 0: 0.2 mm, less for tiny strokes, and as much at the joints.
+    SettleWindow settleWindow;
     double followingLimit = 0.0; ///< m, a leg further than this from its set-point stops; 0: of the size
     std::chrono::milliseconds echoWithin{300}; ///< set-points unaccepted for so long stop
     std::chrono::milliseconds longestPathStep{
-        30}; ///< of the path's time in a cycle; ordinary ones take 15 at most
+        30};                                ///< of the path's time in a cycle; ordinary ones take 15 at most
+    std::chrono::milliseconds jogHold{200}; ///< a jog that is not said again within comes to rest
     std::chrono::milliseconds settleTime{300}; ///< inside the window for so long
     std::chrono::milliseconds settleTimeout{10000};
     std::chrono::milliseconds staleAfter{200};     ///< at least; three feedback periods when those are longer
@@ -32,7 +36,7 @@ struct ControlOptions {
     std::chrono::milliseconds referenceTimeout{120000}; ///< for the referencing before a move
 };
 
-/// The control loop of joint mode: one cycle is exchange -> forward solution -> commands -> set-points ->
+/// The control loop: one cycle is commands -> set-points -> exchange -> forward solution -> judgement ->
 /// Snapshot. One thread owns it and calls cycle(); post() may be called from any thread.
 class ControlLoop {
 public:

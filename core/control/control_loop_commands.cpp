@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 
 #include "core/control/control_loop_impl.h"
-#include "core/kinematics/inverse_kinematics.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace hexapose {
 
@@ -25,39 +25,63 @@ void ControlLoop::Impl::takeCommands(Clock::time_point time) {
 }
 
 void ControlLoop::Impl::on(const RunCommand& command, Clock::time_point time) {
-    const RunState present = state();
-    const bool canStart = present == RunState::Enabled || present == RunState::Settling ||
-                          present == RunState::Disabled || present == RunState::Unreferenced;
-    const bool preparing = move && !moving();
-    if (!takesCommands() || !canStart || preparing)
-        return refuse("run");
-    if (monitor.stale() || !measuredPose) {
-        const std::string why = monitor.stale() ? "stale data" : std::string(toWord(solution.status));
-        return raise({EventCode::MoveRefused, 0.0, why});
+    prepareMotion(command, MachineEvent::Run, time);
+}
+
+void ControlLoop::Impl::on(const SweepCommand& command, Clock::time_point time) {
+    if (const auto what = faultOf(command.settings))
+        return raise({EventCode::MoveRefused, 0.0, *what});
+    prepareMotion(command, MachineEvent::Run, time);
+}
+
+/// Starts a jog, or keeps it going.
+void ControlLoop::Impl::on(const JogCommand& command, Clock::time_point time) {
+    const bool valid =
+        command.direction.axis >= 0 && command.direction.axis < 6 && std::isfinite(command.part);
+    if (!valid)
+        return raise({EventCode::MoveRefused, 0.0, "invalid-input"});
+    if (jog && machine.run == RunState::Moving) {
+        jogHeldAt = time;
+        return jog->hold(command.direction, command.part);
     }
-    const Verdict verdict = checkLegPath(geometry, limits(), *measuredPose, command.target);
-    if (!verdict.ok())
-        return raise({EventCode::MoveRefused, 0.0, toWords(verdict)});
-    const JointMove::Timing timing{options.settleTime, options.settleTimeout, options.enableTimeout,
-                                   options.referenceTimeout};
-    move.emplace(command.target, legLengths(geometry, command.target), feedback.state, timing, time);
-    askToReference();
-    enableTries = kTriesAgain;
-    goal = command.target;
-    tookOver = true;
-    if (move->phase() == JointMove::Phase::Referencing)
-        raise({EventCode::Referencing, 0.0, {}});
+    if (!takesCommands() || !tookOver || !accepts(MachineEvent::Jog))
+        return refuse(MachineEvent::Jog);
+    if (const auto why = unfitToMove())
+        return raise({EventCode::MoveRefused, 0.0, *why});
+    apply(MachineEvent::Jog);
+    auto begun = std::make_unique<JogLaw>(workspace, geometry, options.bounds,
+                                          commanded.value_or(holdPoint()), *measuredPose);
+    begun->hold(command.direction, command.part);
+    jog = begun.get();
+    law = std::move(begun);
+    mode = MotionMode::Workspace;
+    jogHeldAt = lastStep = time;
+    goal.reset();
+    move.emplace(ControllerState::Enabled, timing(), time);
+    move->begin(time);
+    raise({EventCode::JogStarted, 0.0, {}});
+}
+
+void ControlLoop::Impl::on(const JogReleaseCommand&, Clock::time_point) {
+    if (jog)
+        jog->release();
+}
+
+void ControlLoop::Impl::on(const SpeedCommand& command, Clock::time_point) {
+    if (std::isfinite(command.part))
+        speed = std::clamp(command.part, 0.0, 1.0);
 }
 
 void ControlLoop::Impl::on(const StopCommand&, Clock::time_point) {
     if (feedback.link == LinkState::Lost || feedback.link == LinkState::ListenOnly)
-        return refuse("stop");
+        return refuse(MachineEvent::Stop);
     stop({EventCode::StopRequested, 0.0, {}});
 }
 
 void ControlLoop::Impl::on(const ReferenceCommand&, Clock::time_point) {
-    if (!takesCommands() || move || (state() != RunState::Unreferenced && state() != RunState::Disabled))
-        return refuse("reference");
+    if (!takesCommands() || move || !accepts(MachineEvent::Reference))
+        return refuse(MachineEvent::Reference);
+    apply(MachineEvent::Reference);
     tookOver = true;
     askToReference();
     request(DeviceRequest::Reference);
@@ -66,18 +90,20 @@ void ControlLoop::Impl::on(const ReferenceCommand&, Clock::time_point) {
 
 void ControlLoop::Impl::on(const EnableCommand&, Clock::time_point) {
     // Drives that were on when the link came up are taken over by being asked to go on.
-    const bool canEnable = state() == RunState::Disabled || (state() == RunState::Enabled && !tookOver);
-    if (!takesCommands() || move || !canEnable)
-        return refuse("enable");
+    const bool takesOver = machine.run == RunState::Enabled && !tookOver;
+    if (!takesCommands() || move || !(takesOver || accepts(MachineEvent::Enable)))
+        return refuse(MachineEvent::Enable);
     tookOver = true;
     request(DeviceRequest::Enable);
 }
 
 void ControlLoop::Impl::on(const DisableCommand&, Clock::time_point) {
     if (!takesCommands())
-        return refuse("disable");
+        return refuse(MachineEvent::Disable);
     if (moving())
         return stop({EventCode::StopRequested, 0.0, "disable"});
+    if (!apply(MachineEvent::Disable).defined)
+        return;
     dropMotion();
     tookOver = false;
     referenceTries = 0;
@@ -85,10 +111,10 @@ void ControlLoop::Impl::on(const DisableCommand&, Clock::time_point) {
 }
 
 void ControlLoop::Impl::on(const ClearCommand&, Clock::time_point) {
-    if (!takesCommands() || (state() != RunState::Stopped && state() != RunState::Fault))
-        return refuse("clear");
+    if (!takesCommands() || !accepts(MachineEvent::Clear))
+        return refuse(MachineEvent::Clear);
     dropMotion();
-    clearSent = true;
+    apply(MachineEvent::Clear);
     request(DeviceRequest::Clear);
 }
 

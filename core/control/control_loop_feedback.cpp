@@ -12,9 +12,34 @@ namespace {
 constexpr std::chrono::seconds kSameRefusalEvery{1};
 constexpr std::chrono::milliseconds kStateComesWithin{300}; ///< some feedback periods
 
+MachineEvent reportOf(ControllerState state) {
+    switch (state) {
+    case ControllerState::Unreferenced:
+        return MachineEvent::IsUnreferenced;
+    case ControllerState::Disabled:
+        return MachineEvent::IsDisabled;
+    case ControllerState::Enabled:
+        return MachineEvent::IsEnabled;
+    case ControllerState::Stopped:
+        return MachineEvent::IsStopped;
+    case ControllerState::Fault:
+        return MachineEvent::HasFault;
+    case ControllerState::Unknown:
+        break;
+    }
+    return MachineEvent::LinkGone;
+}
+
+bool isDown(ControllerState state) {
+    return state == ControllerState::Stopped || state == ControllerState::Fault;
+}
+
 } // namespace
 
 void ControlLoop::Impl::takeFeedback(Clock::time_point time) {
+    const ControllerState before = knownState;
+    const RunState was = machine.run;
+    followController();
     for (const DeviceNotice& notice : feedback.notices)
         takeNotice(notice, time);
     monitor.update(feedback, time);
@@ -25,14 +50,30 @@ void ControlLoop::Impl::takeFeedback(Clock::time_point time) {
     if (feedback.link == LinkState::Connected) {
         if (std::exchange(stopWhenBack, false))
             stop({EventCode::StoppedAfterLoss, 0.0, {}});
+    } else {
+        stopWhenBack = stopWhenBack || move.has_value();
+        dropMotion();
+        tookOver = false; // the controller says its state again when it is back, and nothing is asked
+        if (feedback.link == LinkState::Lost)
+            monitor.forget();
+    }
+    nameStop(time);
+    noteStateChange(before, was);
+}
+
+/// The machine's state follows the controller's, as far as the table has it so.
+void ControlLoop::Impl::followController() {
+    const ControllerState after = takesCommands() ? feedback.state : ControllerState::Unknown;
+    const ControllerState before = std::exchange(knownState, after);
+    if (after == ControllerState::Unknown) {
+        apply(MachineEvent::LinkGone);
         return;
     }
-    stopWhenBack = stopWhenBack || move.has_value();
-    dropMotion();
-    stopLatched = tookOver =
-        false; // the controller says its state again when it is back, and nothing is asked
-    if (feedback.link == LinkState::Lost)
-        monitor.forget();
+    if (!feedback.lengths && before == after)
+        return; // nothing new, and a state from before a request says nothing of what came of it
+    if (isDown(before) && !isDown(after))
+        apply(MachineEvent::LeftStop);
+    apply(reportOf(after));
 }
 
 /// Says what stopped the move, once the controller's state has come, or that it restarted, or nothing more.
@@ -50,31 +91,26 @@ void ControlLoop::Impl::nameStop(Clock::time_point time) {
     }
 }
 
-void ControlLoop::Impl::noteStateChange() {
-    const ControllerState after = takesCommands() ? feedback.state : ControllerState::Unknown;
-    const ControllerState before = std::exchange(knownState, after);
+void ControlLoop::Impl::noteStateChange(ControllerState before, RunState was) {
+    const ControllerState after = knownState;
+    const bool wasDown = was == RunState::Stopped || was == RunState::Fault;
     const bool down = after == ControllerState::Disabled || after == ControllerState::Unreferenced;
     // A controller may answer a stop without a state for it; Clear ends that stop too.
-    if (stopLatched && clearSent && down && feedback.lengths) {
-        stopLatched = clearSent = false;
+    if (wasDown && (machine.run == RunState::Disabled || machine.run == RunState::Unreferenced))
         return raise({EventCode::Cleared, 0.0, {}});
-    }
     if (before == after || after == ControllerState::Unknown)
         return;
-    const bool wentDown = after == ControllerState::Stopped || after == ControllerState::Fault ||
-                          (before == ControllerState::Enabled && after != ControllerState::Enabled);
+    const bool wentDown =
+        isDown(after) || (before == ControllerState::Enabled && after != ControllerState::Enabled);
     if (wentDown) {
-        if (!stopLatched && (move || before == ControllerState::Enabled))
+        if (was != RunState::Stopped && (move || before == ControllerState::Enabled))
             raise({EventCode::StoppedByController, 0.0, std::string(1, static_cast<char>(after))});
         dropMotion();
         tookOver = false;
     }
-    if (down && (before == ControllerState::Stopped || before == ControllerState::Fault)) {
-        stopLatched = false;
-        raise({EventCode::Cleared, 0.0, {}});
-    } else if (!move && after == ControllerState::Enabled) {
+    if (!move && after == ControllerState::Enabled && !wasDown) {
         raise({EventCode::Enabled, 0.0, {}});
-    } else if (!move && after == ControllerState::Disabled) {
+    } else if (!move && down && !wasDown && after == ControllerState::Disabled) {
         raise(
             {before == ControllerState::Unreferenced ? EventCode::Referenced : EventCode::Disabled, 0.0, {}});
     }
@@ -109,8 +145,7 @@ void ControlLoop::Impl::takeNotice(const DeviceNotice& notice, Clock::time_point
 /// A frame may be lost: what prepares a motion is asked for again, and given up soon when nothing answers.
 void ControlLoop::Impl::takeNoAnswer(const DeviceNotice& notice) {
     raise({EventCode::NoAnswer, 0.0, notice.request});
-    const bool preparing = move && (move->phase() == JointMove::Phase::Referencing ||
-                                    move->phase() == JointMove::Phase::Enabling);
+    const bool preparing = move && move->preparing();
     const bool home = notice.request == "HOME" && !referenceTaken;
     const bool enable = notice.request == "ENABLE" && preparing;
     if (!takesCommands() || (!home && !enable))
@@ -161,6 +196,7 @@ void ControlLoop::Impl::solve() {
     if (solution.isUsable()) {
         measuredPose = solution.pose;
         lastPose = solution.pose;
+        singularity = singularityMeasure(geometry, solution.pose);
     }
 }
 
@@ -176,11 +212,16 @@ void ControlLoop::Impl::watch(Clock::time_point time) {
             raise({EventCode::DataFresh, 0.0, {}});
         wasStale = stale;
     }
-    if (move && stale)
-        stop({EventCode::StoppedOnStaleData, 0.0, {}});
-    else if (move && feedback.lengths && !measuredPose)
-        stop({EventCode::StoppedOnSolver, 0.0, std::string(toWord(solution.status))});
-    else if (commanded && measuredPose)
+    // While something moves, or a pose is held by what is measured, every measurement must be good.
+    const bool led = move || law;
+    if (led && stale)
+        return stop({EventCode::StoppedOnStaleData, 0.0, {}});
+    if (led && feedback.lengths && !measuredPose)
+        return stop({EventCode::StoppedOnSolver, 0.0, std::string(toWord(solution.status))});
+    if (law && feedback.lengths)
+        if (std::optional<Event> cause = nearLimit())
+            return stop(std::move(*cause));
+    if (commanded && measuredPose)
         if (std::optional<Event> cause = follow.judge(feedback, *commanded, time))
             stop(std::move(*cause));
 }

@@ -5,17 +5,23 @@
 #include "core/control/control_loop.h"
 #include "core/control/feedback_monitor.h"
 #include "core/control/follow_watch.h"
-#include "core/control/joint_move.h"
+#include "core/control/jog_law.h"
+#include "core/control/machine_state.h"
+#include "core/control/move.h"
+#include "core/control/workspace_controller.h"
+#include "core/kinematics/singularity.h"
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 namespace hexapose {
 
 /// What the loop's thread owns. Split over control_loop.cpp (the cycle), control_loop_commands.cpp (the
-/// operator's side) and control_loop_feedback.cpp (the controller's side).
+/// operator's side), control_loop_feedback.cpp (the controller's side) and control_loop_motion.cpp (motions).
 struct ControlLoop::Impl {
     using Now = std::function<Clock::time_point()>;
 
@@ -32,6 +38,10 @@ struct ControlLoop::Impl {
     void publish(Clock::time_point time);
 
     void on(const RunCommand& command, Clock::time_point time);
+    void on(const SweepCommand& command, Clock::time_point time);
+    void on(const JogCommand& command, Clock::time_point time);
+    void on(const JogReleaseCommand& command, Clock::time_point time);
+    void on(const SpeedCommand& command, Clock::time_point time);
     void on(const StopCommand& command, Clock::time_point time);
     void on(const ReferenceCommand& command, Clock::time_point time);
     void on(const EnableCommand& command, Clock::time_point time);
@@ -40,23 +50,40 @@ struct ControlLoop::Impl {
     void takeNotice(const DeviceNotice& notice, Clock::time_point time);
     void takeNoAnswer(const DeviceNotice& notice);
     void takeRefusal(const DeviceNotice& notice, Clock::time_point time);
-    void noteStateChange();
+    void followController();
+    void noteStateChange(ControllerState before, RunState was);
     void solve();
     LegLengths holdPoint() const;
 
+    // Motions.
+    using MotionWish = std::variant<RunCommand, SweepCommand>;
+    /// The motion that a wish means from here and now, judged whole.
+    struct Planned {
+        Verdict verdict;
+        std::unique_ptr<MotionLaw> law; ///< only where asked for
+    };
+    Planned plan(const MotionWish& wish, bool withLaw);
+    void prepareMotion(const MotionWish& wish, MachineEvent event, Clock::time_point time);
+    void beginMotion(Clock::time_point time);
+    std::optional<std::string> unfitToMove() const;
+    std::optional<Event> nearLimit() const;
+
+    /// What the table says about an event; the state follows. A command that it refuses is told.
+    Transition apply(MachineEvent event);
+    bool accepts(MachineEvent event) const { return transition(machine, event).defined; }
     /// Ends whatever moves and sends Stop; it stays stopped until Clear.
     void stop(Event cause);
     void halt(); ///< the same without a word
     void nameStop(Clock::time_point time);
     void dropMotion();
-    RunState state() const;
-    bool moving() const {
-        return move &&
-               (move->phase() == JointMove::Phase::Moving || move->phase() == JointMove::Phase::Settling);
+    RunState state() const {
+        return feedback.link == LinkState::ListenOnly ? RunState::Disabled : machine.run;
     }
+    bool moving() const { return move && move->moving(); }
     bool takesCommands() const { return feedback.link == LinkState::Connected; }
-    void refuse(const char* what) {
-        raise({EventCode::CommandRefused, 0.0, std::string(what) + " in " + std::string(toWord(state()))});
+    void refuse(MachineEvent what) {
+        raise({EventCode::CommandRefused, 0.0,
+               std::string(toWord(what)) + " in " + std::string(toWord(state()))});
     }
     static constexpr int kTriesAgain = 2; ///< of a request that goes unanswered
     void askToReference() {
@@ -64,7 +91,8 @@ struct ControlLoop::Impl {
         referenceTaken = false;
     }
     void raise(Event event) { events.push_back(std::move(event)); }
-    MotionLimits limits() const { return motionLimits(geometry, feedback.minLength, feedback.maxLength); }
+    MotionLimits limits() const;
+    Move::Timing timing() const;
     void request(DeviceRequest what) {
         if (pendingRequest != DeviceRequest::Stop)
             pendingRequest = what;
@@ -96,13 +124,22 @@ struct ControlLoop::Impl {
     std::chrono::nanoseconds solveTime{0};
     std::optional<Pose> measuredPose;
     Pose lastPose; ///< start of the next solution: the last usable one, home before the first
+    double homeDeterminant;
+    SingularityMeasure singularity; ///< at the measured pose
 
-    std::optional<JointMove> move;
+    MachineState machine;
+    std::optional<Move> move;
+    std::optional<MotionWish> wish; ///< of the move that is being prepared
+    std::unique_ptr<MotionLaw> law; ///< of the present motion, and of the pose that is held after it
+    JogLaw* jog = nullptr;          ///< the law, when it is a jog
+    Clock::time_point jogHeldAt{};  ///< the button was last said to be held
+    WorkspaceController workspace;
+    double speed = 1.0;                  ///< 0..1, the operator's
+    MotionMode mode = MotionMode::Joint; ///< of the present or last motion
+    Clock::time_point lastStep{};
     std::optional<LegLengths> commanded;
     std::optional<Pose> commandedPose;
     std::optional<Pose> goal;
-    bool stopLatched = false;  ///< Stop was asked for, by the operator or by us, and not yet cleared
-    bool clearSent = false;    ///< since the last stop
     bool tookOver = false;     ///< the operator asked for something on this link: set-points may go out
     bool stopWhenBack = false; ///< the link was lost in mid-move
     ControllerState knownState = ControllerState::Unknown; ///< of this link

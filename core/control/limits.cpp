@@ -4,7 +4,6 @@
 #include "core/control/limits.h"
 
 #include "core/kinematics/inverse_kinematics.h"
-#include "core/kinematics/newton_raphson.h"
 #include "core/kinematics/singularity.h"
 
 #include <algorithm>
@@ -18,19 +17,9 @@ namespace {
 /// Strokes are compared with this much slack, relative to the length: a set-point at the very end of a stroke
 /// must survive the conversion between mm and m.
 constexpr double kStrokeSlack = 1e-12;
-/// The pose at the end of the leg path is the target when it is this close, relative to the machine's size
-/// and in rad.
-constexpr double kSamePose = 1e-6;
-
-bool samePose(const PlatformGeometry& geometry, const Pose& a, const Pose& b) {
-    const double angle = (rotationMatrix(a.angles) - rotationMatrix(b.angles)).norm();
-    return (a.offset - b.offset).norm() <= kSamePose * geometry.size() && angle <= kSamePose;
-}
-
-Verdict pathVerdict(Verdict::Reason reason, double fraction, double value, double bound) {
+Verdict verdictOf(Verdict::Reason reason, double value, double bound) {
     Verdict verdict;
     verdict.reason = reason;
-    verdict.fraction = fraction;
     verdict.value = value;
     verdict.bound = bound;
     return verdict;
@@ -49,7 +38,10 @@ MotionLimits motionLimits(const PlatformGeometry& geometry, std::optional<double
     return limits;
 }
 
-std::string toWords(const Verdict& verdict) {
+namespace {
+
+std::string reasonWords(const Verdict& verdict) {
+    static constexpr const char* kAxes[] = {"", "x", "y", "z", "alpha", "beta", "gamma"};
     const std::string leg = "leg " + std::to_string(verdict.leg);
     switch (verdict.reason) {
     case Verdict::Reason::Ok:
@@ -65,14 +57,30 @@ std::string toWords(const Verdict& verdict) {
     case Verdict::Reason::OtherBranch:
         return "other branch";
     case Verdict::Reason::PathNearSingular:
-        return "path near singular at " + std::to_string(std::lround(100.0 * verdict.fraction)) + " %";
+        return "path near singular";
+    case Verdict::Reason::OutsideEnvelope:
+        return std::string(kAxes[verdict.axis]) + " outside the envelope";
+    case Verdict::Reason::OtherSide:
+        return "across the singular poses";
+    case Verdict::Reason::LegTooFast:
+        return leg + " too fast";
+    case Verdict::Reason::LegTooHard:
+        return leg + " accelerated too hard";
     }
     return "";
 }
 
+} // namespace
+
+std::string toWords(const Verdict& verdict) {
+    const bool onTheWay = verdict.fraction < 1.0 || verdict.reason == Verdict::Reason::PathNearSingular;
+    return reasonWords(verdict) +
+           (onTheWay ? " at " + std::to_string(std::lround(100.0 * verdict.fraction)) + " %" : "");
+}
+
 Verdict checkLegs(const MotionLimits& limits, const LegLengths& lengths) {
     if (!lengths.allFinite())
-        return pathVerdict(Verdict::Reason::NotFinite, 1.0, 0.0, 0.0);
+        return verdictOf(Verdict::Reason::NotFinite, 0.0, 0.0);
     Verdict worst;
     double worstBy = 0.0;
     for (int i = 0; i < kLegCount; ++i) {
@@ -90,44 +98,36 @@ Verdict checkLegs(const MotionLimits& limits, const LegLengths& lengths) {
     return worst;
 }
 
+std::optional<Verdict> outsideEnvelope(const PoseEnvelope& envelope, const Pose& pose) {
+    const PoseVector coordinates = pose.toVector();
+    for (int axis = 0; axis < 6; ++axis) {
+        if (std::abs(coordinates[axis]) <= envelope.furthest[axis] * (1.0 + kStrokeSlack))
+            continue;
+        Verdict verdict =
+            verdictOf(Verdict::Reason::OutsideEnvelope, coordinates[axis], envelope.furthest[axis]);
+        verdict.axis = axis + 1;
+        return verdict;
+    }
+    return std::nullopt;
+}
+
 Verdict checkPose(const PlatformGeometry& geometry, const MotionLimits& limits, const Pose& pose) {
     if (!pose.isFinite())
-        return pathVerdict(Verdict::Reason::NotFinite, 1.0, 0.0, 0.0);
+        return verdictOf(Verdict::Reason::NotFinite, 0.0, 0.0);
     const Verdict legs = checkLegs(limits, legLengths(geometry, pose));
     if (!legs.ok())
         return legs;
+    if (const auto outside = outsideEnvelope(limits.envelope, pose))
+        return *outside;
     const SingularityMeasure measure = singularityMeasure(geometry, pose);
     if (!(measure.smallestSingularValue >= limits.singularityMargin))
-        return pathVerdict(Verdict::Reason::NearSingular, 1.0, measure.smallestSingularValue,
-                           limits.singularityMargin);
-    return {};
-}
-
-Verdict checkLegPath(const PlatformGeometry& geometry, const MotionLimits& limits, const Pose& from,
-                     const Pose& to, int steps) {
-    const Verdict target = checkPose(geometry, limits, to);
-    if (!target.ok())
-        return target;
-    if (!from.isFinite())
-        return pathVerdict(Verdict::Reason::NotFinite, 0.0, 0.0, 0.0);
-
-    // Legs plus the sign of det J do not identify a pose; the path followed does.
-    const NewtonRaphson newton(geometry, NewtonOptions{});
-    const LegLengths start = legLengths(geometry, from);
-    const LegLengths end = legLengths(geometry, to);
-    Pose pose = from;
-    for (int k = 1; k <= steps; ++k) {
-        const double fraction = static_cast<double>(k) / steps;
-        const ForwardResult next = newton.solve(start + fraction * (end - start), pose);
-        const double margin = next.status == SolveStatus::Converged
-                                  ? singularityMeasure(geometry, next.pose).smallestSingularValue
-                                  : 0.0;
-        if (!(margin >= limits.singularityMargin))
-            return pathVerdict(Verdict::Reason::PathNearSingular, fraction, margin, limits.singularityMargin);
-        pose = next.pose;
-    }
-    if (!samePose(geometry, pose, to))
-        return pathVerdict(Verdict::Reason::OtherBranch, 1.0, 0.0, 0.0);
+        return verdictOf(Verdict::Reason::NearSingular, measure.smallestSingularValue,
+                         limits.singularityMargin);
+    if (limits.leastDeterminantRatio == -std::numeric_limits<double>::infinity())
+        return {};
+    const double q = measure.determinant / singularityMeasure(geometry, Pose{}).determinant;
+    if (!(q >= limits.leastDeterminantRatio))
+        return verdictOf(Verdict::Reason::OtherSide, q, limits.leastDeterminantRatio);
     return {};
 }
 

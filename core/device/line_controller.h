@@ -37,6 +37,7 @@ public:
     std::vector<std::string> takeFrames();
 
     const VirtualPlatform& platform() const { return m_platform; }
+    void push(int leg, double offset) { m_platform.push(leg, offset); } ///< see VirtualPlatform
     const LinkCounters& counters() const { return m_reader.counters(); }
 
 private:

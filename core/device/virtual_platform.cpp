@@ -59,8 +59,8 @@ void VirtualPlatform::step(std::chrono::nanoseconds duration) {
 void VirtualPlatform::move(double seconds) {
     for (int leg = 0; leg < kLegCount; ++leg)
         m_lengths[leg] =
-            servo(m_lengths[leg], m_targets[leg], m_options.timeConstants[static_cast<std::size_t>(leg)],
-                  m_options.speedLimit, seconds);
+            servo(m_lengths[leg], m_targets[leg] + m_loads[leg],
+                  m_options.timeConstants[static_cast<std::size_t>(leg)], m_options.speedLimit, seconds);
 }
 
 VirtualPlatform::Refusal VirtualPlatform::reference() {

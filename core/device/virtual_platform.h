@@ -47,8 +47,10 @@ public:
 
     ControllerState state() const { return m_state; }
     LegLengths lengths() const { return m_lengths; } ///< true ones
-    LegLengths measure();                            ///< with noise and resolution
-    double shortestStroke() const;                   ///< the envelope of all legs: no leg goes below
+    /// A load on a leg (0..5): its servo ends so far beside its set-point, m. 0 takes it away.
+    void push(int leg, double offset) { m_loads[leg] = offset; }
+    LegLengths measure();          ///< with noise and resolution
+    double shortestStroke() const; ///< the envelope of all legs: no leg goes below
     double longestStroke() const;
 
 private:
@@ -61,6 +63,7 @@ private:
     LegLengths m_max;
     LegLengths m_lengths;
     LegLengths m_targets;
+    LegLengths m_loads = LegLengths::Zero();
     ControllerState m_state = ControllerState::Unreferenced;
     bool m_referenced = false;
     bool m_referencing = false;

@@ -45,6 +45,8 @@ enum class EventCode {
     StoppedOnNewIdentity,    ///< the controller gave another name or other limits; detail: name and limits
     StoppedAfterLoss,        ///< the link is back after a loss in mid-move: a stop was sent
     DisableUnconfirmed,      ///< the closing ended without a word that the drives are off
+    JogStarted,
+    JogLimited, ///< a jog came to rest before a limit; detail: the verdict's word form
 };
 
 struct Event {

@@ -7,6 +7,7 @@
 #include "core/geometry/pose.h"
 #include "core/kinematics/forward_solver.h"
 #include "core/record/event.h"
+#include "core/record/motion_mode.h"
 #include "core/record/run_state.h"
 
 #include <chrono>
@@ -31,13 +32,20 @@ struct Snapshot {
     std::chrono::nanoseconds age{0};            ///< of the last measurement; 0 before the first
     std::optional<LegLengths> measuredLengths;  ///< of the last measurement, m
     std::optional<LegLengths> commandedLengths; ///< set-point in force, m
-    std::optional<Pose> targetPose;             ///< pose of the set-point in force (on the path while moving)
-    std::optional<Pose> goalPose;               ///< where the present or last Run leads
+    std::optional<Pose> targetPose;   ///< where the platform should be now: on the path while moving, and in
+                                      ///< joint mode the pose of the set-point in force
+    std::optional<Pose> goalPose;     ///< where the present or last Run leads
     std::optional<Pose> measuredPose; ///< of the last measurement; empty unless the solution is usable
     SolveStatus status = SolveStatus::InvalidInput; ///< of the last measurement's solution
     int iterations = 0;
     double residual = 0.0; ///< m
     std::chrono::nanoseconds solveTime{0};
+
+    MotionMode mode = MotionMode::Joint; ///< of the present or last motion
+    double speed = 1.0;                  ///< 0..1: the operator's part of full speed
+    std::optional<double>
+        smallestSingularValue;              ///< of the scaled Jacobian at the measured pose; 0 is singular
+    std::optional<double> determinantRatio; ///< q: its determinant over that at home; 0 is singular
 
     double feedbackRate = 0.0;           ///< Hz, over about the last second
     std::chrono::milliseconds period{0}; ///< feedback period in force; 0: not known

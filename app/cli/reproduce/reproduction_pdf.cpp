@@ -73,16 +73,18 @@ PdfPages::Table tableOf(const Block& block, double width) {
 
 class Document {
 public:
-    Document(QIODevice& device, std::span<const Exhibit> exhibits, int pageCount)
-        : m_exhibits(exhibits),
-          m_pages(device, QStringLiteral("Reproduction of the published tables"),
-                  QStringLiteral("Reproduction of Applied Sciences 2023, 13, 3082"), pageCount) {}
+    Document(QIODevice& device, std::span<const Exhibit> exhibits, const PdfTitles& titles, int pageCount)
+        : m_exhibits(exhibits), m_pages(device, titles.title, titles.footer, pageCount) {}
 
     /// Returns the number of pages.
-    int paint() {
-        paintFirstPage();
-        for (const Exhibit& exhibit : m_exhibits)
+    int paint(bool withFirstPage) {
+        if (withFirstPage)
+            paintFirstPage();
+        for (const Exhibit& exhibit : m_exhibits) {
+            if (withFirstPage || &exhibit != &m_exhibits.front())
+                m_pages.newPage();
             paintExhibit(exhibit);
+        }
         return m_pages.page();
     }
 
@@ -119,7 +121,6 @@ private:
     }
 
     void paintExhibit(const Exhibit& exhibit) {
-        m_pages.newPage();
         m_pages.heading(text(exhibit.title), kHeadingPoints);
         paintParagraph(exhibit.what);
         m_pages.skip(kBetween / 2.0);
@@ -171,22 +172,33 @@ private:
     PdfPages m_pages;
 };
 
-} // namespace
-
-QByteArray reproductionPdf(std::span<const Exhibit> exhibits) {
+QByteArray paintTwice(std::span<const Exhibit> exhibits, const PdfTitles& titles, bool withFirstPage) {
     int pages = 0;
     for (;;) { // once to count the pages, once to number them
         QBuffer buffer;
         buffer.open(QIODevice::WriteOnly);
         int painted = 0;
         {
-            Document document(buffer, exhibits, pages);
-            painted = document.paint();
+            Document document(buffer, exhibits, titles, pages);
+            painted = document.paint(withFirstPage);
         }
         if (painted == pages)
             return buffer.data();
         pages = painted;
     }
+}
+
+} // namespace
+
+QByteArray reproductionPdf(std::span<const Exhibit> exhibits) {
+    return paintTwice(exhibits,
+                      {QStringLiteral("Reproduction of the published tables"),
+                       QStringLiteral("Reproduction of Applied Sciences 2023, 13, 3082")},
+                      true);
+}
+
+QByteArray exhibitsPdf(std::span<const Exhibit> exhibits, const PdfTitles& titles) {
+    return paintTwice(exhibits, titles, false);
 }
 
 } // namespace hexapose::reproduce

@@ -5,6 +5,7 @@
 #include "app/cli/reproduce/exhibit.h"
 
 #include <QByteArray>
+#include <QString>
 
 #include <span>
 
@@ -12,5 +13,12 @@ namespace hexapose::reproduce {
 
 /// All exhibits on A4: what was checked on the first page, then each with its tables and its picture.
 QByteArray reproductionPdf(std::span<const Exhibit> exhibits);
+
+struct PdfTitles {
+    QString title;  ///< of the document
+    QString footer; ///< of every page
+};
+/// Exhibits one after the other, without that first page.
+QByteArray exhibitsPdf(std::span<const Exhibit> exhibits, const PdfTitles& titles);
 
 } // namespace hexapose::reproduce

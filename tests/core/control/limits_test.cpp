@@ -106,6 +106,8 @@ TEST_F(LimitsTest, RefusesALegPathThatEndsAtTheTwinOfTheTarget) {
     m_limits.minLength.setZero();
     m_limits.maxLength.setConstant(10.0);
     const Pose turned = poseMm(0, 0, 0, 0, 0, 120);
+    EXPECT_EQ(checkPose(m_geometry, m_limits, turned).reason, Verdict::Reason::OtherSide);
+    m_limits.leastDeterminantRatio = -10.0;
     ASSERT_TRUE(checkPose(m_geometry, m_limits, turned).ok());
     EXPECT_EQ(checkLegPath(m_geometry, m_limits, Pose{}, turned).reason, Verdict::Reason::OtherBranch);
 }

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: MIT
 
-#include "core/control/joint_move.h"
-
-#include <algorithm>
+#include "core/control/move.h"
 
 namespace hexapose {
 
@@ -15,16 +13,15 @@ double seconds(std::chrono::nanoseconds duration) {
 
 } // namespace
 
-JointMove::JointMove(const Pose& target, const LegLengths& targetLengths, ControllerState controller,
-                     const Timing& timing, Clock::time_point begun)
-    : m_target(target), m_targetLengths(targetLengths), m_timing(timing), m_phaseBegan(begun) {
+Move::Move(ControllerState controller, const Timing& timing, Clock::time_point begun)
+    : m_timing(timing), m_phaseBegan(begun) {
     if (controller == ControllerState::Unreferenced)
         enter(Phase::Referencing, begun);
     else if (controller == ControllerState::Disabled)
         enter(Phase::Enabling, begun);
 }
 
-void JointMove::enter(Phase phase, Clock::time_point now) {
+void Move::enter(Phase phase, Clock::time_point now) {
     m_phase = phase;
     m_phaseBegan = now;
     if (phase == Phase::Referencing)
@@ -33,47 +30,29 @@ void JointMove::enter(Phase phase, Clock::time_point now) {
         m_request = DeviceRequest::Enable;
 }
 
-DeviceRequest JointMove::takeRequest() {
+DeviceRequest Move::takeRequest() {
     const DeviceRequest request = m_request;
     m_request = DeviceRequest::None;
     return request;
 }
 
-void JointMove::start(const LegLengths& from, double legSpeed, Clock::time_point now) {
-    m_trajectory.emplace(from, m_targetLengths, legSpeed);
-    m_started = m_lastStep = now;
-    m_pathTime = std::chrono::nanoseconds(0);
+void Move::begin(Clock::time_point now) {
+    m_started = now;
     enter(Phase::Moving, now);
 }
 
-void JointMove::step(Clock::time_point now, std::chrono::nanoseconds longestStep) {
-    m_pathTime +=
-        std::clamp<std::chrono::nanoseconds>(now - m_lastStep, std::chrono::nanoseconds(0), longestStep);
-    m_lastStep = now;
-}
-
-std::optional<LegLengths> JointMove::setPoint() const {
-    if (!m_trajectory)
-        return std::nullopt;
-    return m_trajectory->at(m_pathTime);
-}
-
-std::chrono::nanoseconds JointMove::duration() const {
-    return m_trajectory ? m_trajectory->duration() : std::chrono::nanoseconds(0);
-}
-
-std::optional<Event> JointMove::update(ControllerState controller, const std::optional<LegLengths>& measured,
-                                       double settleWindow, Clock::time_point now) {
+std::optional<Event> Move::update(ControllerState controller, bool pathIsOver, std::optional<bool> inside,
+                                  Clock::time_point now) {
     switch (m_phase) {
     case Phase::Referencing:
     case Phase::Enabling:
         return prepare(controller, now);
     case Phase::Moving:
-        if (m_pathTime >= m_trajectory->duration())
+        if (pathIsOver)
             enter(Phase::Settling, now);
         return std::nullopt;
     case Phase::Settling:
-        return settle(measured, settleWindow, now);
+        return settle(inside, now);
     case Phase::Ready:
     case Phase::Settled:
     case Phase::Failed:
@@ -82,7 +61,7 @@ std::optional<Event> JointMove::update(ControllerState controller, const std::op
     return std::nullopt;
 }
 
-std::optional<Event> JointMove::prepare(ControllerState controller, Clock::time_point now) {
+std::optional<Event> Move::prepare(ControllerState controller, Clock::time_point now) {
     const bool referencing = m_phase == Phase::Referencing;
     if (controller == ControllerState::Enabled) {
         enter(Phase::Ready, now);
@@ -99,15 +78,13 @@ std::optional<Event> JointMove::prepare(ControllerState controller, Clock::time_
     return std::nullopt;
 }
 
-std::optional<Event> JointMove::settle(const std::optional<LegLengths>& measured, double window,
-                                       Clock::time_point now) {
-    if (measured) {
-        const bool inside = (*measured - m_targetLengths).cwiseAbs().maxCoeff() <= window;
-        if (!inside)
-            m_insideSince.reset();
-        else if (!m_insideSince)
+std::optional<Event> Move::settle(std::optional<bool> inside, Clock::time_point now) {
+    if (inside && !*inside)
+        m_insideSince.reset();
+    if (inside && *inside) {
+        if (!m_insideSince)
             m_insideSince = now;
-        if (m_insideSince && now - *m_insideSince >= m_timing.settleTime) {
+        if (now - *m_insideSince >= m_timing.settleTime) {
             m_phase = Phase::Settled;
             return Event{EventCode::Settled, seconds(now - m_started)};
         }

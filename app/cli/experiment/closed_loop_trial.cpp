@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "app/cli/experiment/closed_loop_trial.h"
+
+#include "core/control/straight_motion.h"
+#include "core/device/simulated_machine.h"
+#include "core/geometry/input_error.h"
+#include "core/geometry/units.h"
+#include "core/kinematics/newton_raphson.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace hexapose::experiment {
+
+namespace {
+
+constexpr double kRange = 0.13;             ///< of the machine's size: offsets of the targets
+constexpr double kAngleRange = radiansFromDeg(12.0);
+constexpr int kTriesOfARange = 2000;
+constexpr int kHalvings = 12;
+constexpr double kPushAt = 0.4;             ///< of the planned time
+constexpr double kSpeedWindow = 0.1;        ///< s, over which a speed is taken
+constexpr double kAfterPush = 0.8;          ///< s, until a push is over for the speed
+constexpr double kConstant = 2e-3;          ///< the planned speed changes by so little in a window where it is constant
+constexpr int kMostCycles = 3000;           ///< of one move: half a minute
+constexpr double kTightTolerance = 1e-9;    ///< m
+
+double seconds(std::chrono::nanoseconds duration) {
+    return std::chrono::duration<double>(duration).count();
+}
+
+/// One mode over all moves.
+class Trial {
+public:
+    Trial(const TrialSettings& settings, const ForwardSolver& solver, MotionMode mode)
+        : m_settings(settings), m_bounds(completed(settings.control.bounds, settings.platform)), m_mode(mode),
+          m_machine(settings.platform, settings.legs),
+          m_exact(settings.platform, NewtonOptions{.tolerance = kTightTolerance}),
+          m_loop(
+              m_machine.device(), settings.platform, solver, settings.control,
+              [this](const Snapshot& snapshot) { m_last = snapshot; }, m_machine.clock()) {}
+
+    MoveOutcome run(const Pose& target, int index) {
+        m_outcome = {};
+        m_outcome.to = target;
+        for (int cycle = 0; cycle < kMostCycles && !m_last.measuredPose; ++cycle)
+            m_loop.cycle();
+        m_loop.post(RunCommand{target, m_mode});
+        std::optional<double> begun;
+        for (int cycle = 0; cycle < kMostCycles; ++cycle) {
+            m_loop.cycle();
+            const double now = seconds(m_last.time);
+            for (const Event& event : m_last.events)
+                if (event.code == EventCode::MoveStarted) {
+                    begun = now;
+                    begin(target, event.value);
+                } else if (event.code == EventCode::Settled && begun) {
+                    return finish(now - *begun);
+                } else if (event.code != EventCode::Enabled && event.code != EventCode::Referencing &&
+                           event.code != EventCode::Referenced && event.code != EventCode::Connected &&
+                           event.code != EventCode::DataFresh && event.code != EventCode::NotSettled) {
+                    throw InputError("move " + std::to_string(index + 1) + ", " + std::string(toWord(m_mode)) + " mode",
+                                     formatEvent(event));
+                }
+            if (begun)
+                observe(now - *begun, index);
+        }
+        m_machine.push(index % kLegCount, 0.0);
+        finish(0.0);
+        m_outcome.settleSeconds.reset();
+        return m_outcome;
+    }
+
+private:
+    void begin(const Pose& target, double plannedSeconds) {
+        m_true = truePose();
+        m_outcome.from = m_true;
+        m_outcome.plannedSeconds = plannedSeconds;
+        m_way = displacement(m_true, target);
+        m_plan.emplace(m_settings.platform, *m_last.measuredPose, target, m_bounds);
+        m_track.clear();
+    }
+
+    Pose truePose() {
+        m_true = m_exact.solve(m_machine.trueLengths(), m_true).pose;
+        return m_true;
+    }
+
+    void observe(double time, int index) {
+        const double pushBegin = kPushAt * m_outcome.plannedSeconds;
+        const bool pushed = time >= pushBegin && time < pushBegin + m_settings.pushSeconds;
+        m_machine.push(index % kLegCount, pushed ? m_settings.push : 0.0);
+
+        const Pose pose = truePose();
+        m_track.push_back({time, pose.offset});
+        const Twist gone = displacement(m_outcome.from, pose);
+        const double length = m_way.head<3>().norm();
+        const double turn = m_way.tail<3>().norm();
+        // The place on the way: by position, or by angle where it only turns.
+        const double part = length > 0.0 ? gone.head<3>().dot(m_way.head<3>()) / (length * length)
+                            : turn > 0.0 ? gone.tail<3>().dot(m_way.tail<3>()) / (turn * turn)
+                                         : 0.0;
+        const double place = std::clamp(part, 0.0, 1.0);
+        const Pose onTheWay = displaced(m_outcome.from, place * m_way);
+        const Twist beside = displacement(pose, onTheWay);
+        Moment moment{time, beside.head<3>().norm(), beside.tail<3>().norm(), 0.0,
+                      m_plan->at(time).twist.head<3>().norm()};
+        const auto before = std::find_if(m_track.rbegin(), m_track.rend(),
+                                         [&](const auto& p) { return p.first <= time - kSpeedWindow + 1e-9; });
+        if (before != m_track.rend()) {
+            const double window = time - before->first;
+            moment.speed = (pose.offset - before->second).norm() / window;
+            const bool nearPush = m_settings.push != 0.0 && time > pushBegin &&
+                                  time < pushBegin + m_settings.pushSeconds + kAfterPush;
+            judgeSpeed(moment, before->first, nearPush);
+        }
+        m_outcome.largestDeviation = std::max(m_outcome.largestDeviation, moment.deviation);
+        m_outcome.largestAngleDeviation = std::max(m_outcome.largestAngleDeviation, moment.angleDeviation);
+        m_outcome.moments.push_back(moment);
+    }
+
+    void judgeSpeed(const Moment& moment, double since, bool nearPush) {
+        const double planned = moment.plannedSpeed;
+        const double before = m_plan->at(since).twist.head<3>().norm();
+        const double middle = m_plan->at(0.5 * (since + moment.seconds)).twist.head<3>().norm();
+        const bool constant = planned > 0.0 && std::abs(before - planned) <= kConstant * planned &&
+                              std::abs(middle - planned) <= kConstant * planned;
+        if (!constant || nearPush || m_mode == MotionMode::Joint)
+            return;
+        m_outcome.speedError = std::max(m_outcome.speedError.value_or(0.0), std::abs(moment.speed / planned - 1.0));
+    }
+
+    MoveOutcome finish(double time) {
+        const Twist error = displacement(truePose(), m_outcome.to);
+        m_outcome.settleSeconds = time - m_outcome.plannedSeconds;
+        m_outcome.finalError = error.head<3>().norm();
+        m_outcome.finalAngle = error.tail<3>().norm();
+        return m_outcome;
+    }
+
+    const TrialSettings& m_settings;
+    MotionBounds m_bounds;
+    MotionMode m_mode;
+    SimulatedMachine m_machine;
+    NewtonRaphson m_exact;
+    Snapshot m_last;
+    ControlLoop m_loop;
+    MoveOutcome m_outcome;
+    Twist m_way = Twist::Zero();
+    Pose m_true;
+    std::optional<StraightMotion> m_plan;
+    std::vector<std::pair<double, Eigen::Vector3d>> m_track;
+};
+
+} // namespace
+
+std::vector<Pose> drawTargets(const TrialSettings& settings) {
+    const PlatformGeometry& platform = settings.platform;
+    MotionLimits limits = motionLimits(platform, std::nullopt, std::nullopt);
+    const MotionBounds bounds = completed(settings.control.bounds, platform);
+    // Ways from one pose to the next, smaller ones where a machine has no room for large ones.
+    for (int halving = 0; halving < kHalvings; ++halving) {
+        const double part = std::pow(0.5, halving);
+        std::mt19937_64 random(settings.seed);
+        std::uniform_real_distribution<double> unit(-1.0, 1.0);
+        std::vector<Pose> targets;
+        Pose from;
+        for (int tries = 0; tries < kTriesOfARange && static_cast<int>(targets.size()) < settings.moves; ++tries) {
+            PoseVector x;
+            for (int k = 0; k < 6; ++k)
+                x[k] = part * unit(random) * (k < 3 ? kRange * platform.size() : kAngleRange);
+            const Pose to = Pose::fromVector(x);
+            if (!checkPose(platform, limits, to).ok() || !checkLegPath(platform, limits, from, to).ok() ||
+                !checkMotion(platform, limits, StraightMotion(platform, from, to, bounds)).ok())
+                continue;
+            targets.push_back(to);
+            from = to;
+        }
+        if (static_cast<int>(targets.size()) == settings.moves)
+            return targets;
+    }
+    throw InputError("\"" + platform.name + "\"", "has no room for the moves of the experiment");
+}
+
+std::vector<MoveOutcome> runTrial(const TrialSettings& settings, const ForwardSolver& solver,
+                                  const std::vector<Pose>& targets, MotionMode mode,
+                                  const std::function<void(double)>& progress) {
+    Trial trial(settings, solver, mode);
+    std::vector<MoveOutcome> outcomes;
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        progress(static_cast<double>(i) / static_cast<double>(targets.size()));
+        outcomes.push_back(trial.run(targets[i], static_cast<int>(i)));
+    }
+    progress(1.0);
+    return outcomes;
+}
+
+} // namespace hexapose::experiment

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/control/motion_law.h"
+#include "core/control/speed_ramp.h"
+#include "core/control/workspace_controller.h"
+
+#include <memory>
+
+namespace hexapose {
+
+/// Workspace mode: a planned motion, led by the pose that is measured. After its end the pose is held.
+class WorkspaceLaw final : public MotionLaw {
+public:
+    /// controller: outlives the law, and keeps what it learned for the next one. from: set-point in force.
+    WorkspaceLaw(WorkspaceController& controller, std::unique_ptr<const PoseMotion> motion, const LegLengths& from);
+
+    MotionMode mode() const override { return MotionMode::Workspace; }
+    LegLengths step(const Cycle& cycle) override;
+    bool pathIsOver() const override { return m_pathTime >= m_motion->duration(); }
+    bool isThere(const LegLengths& lengths, const Pose& pose, const SettleWindow& window) const override;
+    std::optional<PoseReference> reference() const override { return m_motion->at(m_pathTime); }
+    double duration() const override { return m_motion->duration(); }
+
+private:
+    WorkspaceController& m_controller;
+    std::unique_ptr<const PoseMotion> m_motion;
+    LegLengths m_setPoint;
+    SpeedRamp m_ramp;
+    double m_pathTime = 0.0; ///< s
+    double m_waited = 0.0;   ///< s, since the last measurement
+};
+
+/// Whether two poses are within the window.
+bool isWithin(const SettleWindow& window, const Pose& pose, const Pose& end);
+
+} // namespace hexapose
