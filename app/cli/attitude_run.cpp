@@ -22,6 +22,7 @@ AttitudeRun::AttitudeRun(PlatformDevice& device, const PlatformGeometry& geometr
              [this](const Snapshot& snapshot) { take(snapshot); }) {}
 
 void AttitudeRun::run(const std::function<bool()>& interrupted) {
+    m_loop.post(SpeedCommand{m_options.speed});
     while (!m_over && m_sequence.phase() != AttitudeSequence::Phase::Done && !interrupted())
         m_loop.cycle();
     if (!m_failure && m_sequence.phase() != AttitudeSequence::Phase::Done)
@@ -71,7 +72,7 @@ void AttitudeRun::take(const Snapshot& snapshot) {
         return;
     }
     if (const std::optional<Pose> next = m_sequence.add(snapshot))
-        m_loop.post(RunCommand{*next});
+        m_loop.post(RunCommand{*next, m_options.mode});
     if (m_sequence.phase() == AttitudeSequence::Phase::Failed && !m_failure)
         m_failure = endingWords(snapshot);
     m_over = m_failure.has_value();

@@ -20,6 +20,8 @@ namespace hexapose {
 class AttitudeRun {
 public:
     struct Options {
+        MotionMode mode = MotionMode::Joint;
+        double speed = 1.0;      ///< 0..1, part of full speed
         bool clearFirst = false; ///< clear a stop or fault that the controller is in
         std::chrono::seconds connectWithin{10};
     };

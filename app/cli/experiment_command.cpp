@@ -26,7 +26,8 @@ namespace {
 constexpr int kMostMoves = 1000;
 
 /// "50,70,90,110,130,150", or one number for all legs, in ms.
-std::array<double, kLegCount> timeConstants(const Arguments& arguments, std::array<double, kLegCount> fallback) {
+std::array<double, kLegCount> timeConstants(const Arguments& arguments,
+                                            std::array<double, kLegCount> fallback) {
     if (!arguments.has("time-constants-ms"))
         return fallback;
     const std::string text = arguments.requiredText("time-constants-ms");
@@ -85,7 +86,8 @@ int experimentCommand(const QStringList& words) {
          {"max-iterations", "N", "Most Newton iterations, as in 'forward'."}},
         words);
     if (arguments.operand(0) != "closed-loop")
-        throw InputError("experiment", "unknown experiment '" + arguments.operand(0) + "' (known: closed-loop)");
+        throw InputError("experiment",
+                         "unknown experiment '" + arguments.operand(0) + "' (known: closed-loop)");
     const std::filesystem::path directory = arguments.requiredText("out");
     const experiment::TrialSettings settings = settingsOf(arguments);
     const ChosenSolver chosen = chooseSolver(arguments, settings.platform);
@@ -95,13 +97,24 @@ int experimentCommand(const QStringList& words) {
         throw InputError(directory.string(), "cannot be made: " + error.message());
 
     const std::vector<Pose> targets = experiment::drawTargets(settings);
-    const auto run = [&](MotionMode mode, double from) {
-        return experiment::runTrial(settings, *chosen.solver, targets, mode,
-                                    [&](double part) { showProgress("moving", from + 0.5 * part); });
+    experiment::TrialSettings calm = settings;
+    calm.push = 0.0;
+    double done = 0.0;
+    const auto runBoth = [&](const experiment::TrialSettings& each) {
+        const auto run = [&](MotionMode mode) {
+            auto outcomes = experiment::runTrial(each, *chosen.solver, targets, mode, [&](double part) {
+                showProgress("moving", done + 0.25 * part);
+            });
+            done += 0.25;
+            return outcomes;
+        };
+        experiment::BothModes both;
+        both.joint = run(MotionMode::Joint);
+        both.workspace = run(MotionMode::Workspace);
+        return both;
     };
-    const auto joint = run(MotionMode::Joint, 0.0);
-    const auto workspace = run(MotionMode::Workspace, 0.5);
-    const reproduce::Exhibit exhibit = experiment::closedLoopExhibit(settings, joint, workspace);
+    const experiment::BothModes pushed = runBoth(settings);
+    const reproduce::Exhibit exhibit = experiment::closedLoopExhibit(settings, pushed, runBoth(calm));
     reproduce::writeExhibit(exhibit, directory);
     writeWholeFile(directory / "closed-loop.pdf",
                    reproduce::exhibitsPdf({&exhibit, 1}, {QString::fromStdString(exhibit.title),

@@ -99,25 +99,31 @@ std::unique_ptr<PlatformDevice> openDevice(const std::string& port, const Platfo
 } // namespace
 
 int runCommand(const QStringList& words) {
-    const Arguments arguments("run", {},
-                              {{"port", "PATH|virtual", "Serial port, or the built-in virtual platform."},
-                               {"baud", "N", "Baud rate (default: 115200)."},
-                               {"targets", "POSES.csv", "Attitudes to visit, in order."},
-                               {"mode", "joint", "Control mode (default: joint)."},
-                               {"log", "LOG.csv", "The log to write; never one that exists."},
-                               {"report", "DIR", "Write the error report into this directory."},
-                               {"clear", "", "Clear a stop or fault of the controller first."},
-                               {"method", "M", "Forward method, as in 'forward'."},
-                               {"model", "FILE", "Regression model, as in 'forward'."},
-                               {"tolerance-mm", "T", "Largest residual of a solution, as in 'forward'."},
-                               {"max-iterations", "N", "Most Newton iterations, as in 'forward'."}},
-                              words);
+    const Arguments arguments(
+        "run", {},
+        {{"port", "PATH|virtual", "Serial port, or the built-in virtual platform."},
+         {"baud", "N", "Baud rate (default: 115200)."},
+         {"targets", "POSES.csv", "Attitudes to visit, in order."},
+         {"mode", "joint|workspace", "Leg by leg, or closed on the pose (default: joint)."},
+         {"speed", "PERCENT", "Part of full speed (default: 100)."},
+         {"log", "LOG.csv", "The log to write; never one that exists."},
+         {"report", "DIR", "Write the error report into this directory."},
+         {"clear", "", "Clear a stop or fault of the controller first."},
+         {"method", "M", "Forward method, as in 'forward'."},
+         {"model", "FILE", "Regression model, as in 'forward'."},
+         {"tolerance-mm", "T", "Largest residual of a solution, as in 'forward'."},
+         {"max-iterations", "N", "Most Newton iterations, as in 'forward'."}},
+        words);
     const std::string port = arguments.requiredText("port");
     const std::string targetsFile = arguments.requiredText("targets");
     const std::string logFile = arguments.requiredText("log");
-    const std::string mode = arguments.text("mode", "joint");
-    if (mode != "joint")
-        throw InputError("--mode", "'" + mode + "' is not a mode of this version (known: joint)");
+    const std::string modeWord = arguments.text("mode", "joint");
+    const std::optional<MotionMode> mode = motionModeFromWord(modeWord);
+    if (!mode)
+        throw InputError("--mode", "'" + modeWord + "' is not a mode (known: joint, workspace)");
+    const double percent = arguments.positive("speed", 100.0);
+    if (percent > 100.0)
+        throw InputError("--speed", formatNumber(percent) + " is above 100");
     const int baud = static_cast<int>(arguments.integer("baud", 115200, 50, 12000000));
     const PlatformGeometry platform = arguments.platform();
     const std::vector<Pose> targets = readPoseList(targetsFile);
@@ -143,7 +149,8 @@ int runCommand(const QStringList& words) {
         reportDirectory->keep();
 
     catchInterrupts();
-    AttitudeRun run(*device, platform, *chosen.solver, log, targets, {arguments.has("clear")});
+    AttitudeRun run(*device, platform, *chosen.solver, log, targets,
+                    {*mode, percent / 100.0, arguments.has("clear")});
     run.run(interrupted);
 
     const ErrorReport report = makeErrorReport(platform, *chosen.solver, run.samples());

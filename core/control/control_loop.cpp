@@ -21,7 +21,7 @@ constexpr double kSettleOfStroke = 2e-3; ///< for machines with tiny strokes
 constexpr double kFollowingOfSize = 0.08;
 constexpr double kOrdinaryLag = 0.3;    ///< s; a machine of long strokes for its size may lag further
 constexpr double kGapOfFollowing = 0.5; ///< a set-point goes so far ahead of its leg, of what would stop
-constexpr double kRestOfWindow = 0.3;   ///< an error so small is not corrected any more, of the settle window
+constexpr double kRestOfWindow = 0.5;   ///< an error so small is not corrected any more, of the settle window
 constexpr std::chrono::milliseconds kShutDownWithin{1500}; ///< a disabling is repeated for so long
 
 ControlOptions completed(ControlOptions options, const PlatformGeometry& geometry) {

@@ -13,6 +13,8 @@ namespace hexapose {
 
 namespace {
 
+using Following = WorkspaceController::Following;
+
 /// What is measured may come so much nearer to a singular pose than a move may be planned.
 constexpr double kMeasuredMargin = 0.5;
 
@@ -64,7 +66,8 @@ ControlLoop::Impl::Planned ControlLoop::Impl::plan(const MotionWish& what, bool 
         motion = std::make_unique<SineSweep>(*measuredPose, std::get<SweepCommand>(what).settings);
     planned.verdict = checkMotion(geometry, bounds, *motion);
     if (planned.verdict.ok() && withLaw)
-        planned.law = std::make_unique<WorkspaceLaw>(workspace, std::move(motion), from);
+        planned.law = std::make_unique<WorkspaceLaw>(workspace, std::move(motion),
+                                                     run ? Following::Path : Following::Time, from);
     return planned;
 }
 
@@ -114,7 +117,8 @@ void ControlLoop::Impl::advanceMove(Clock::time_point time) {
         return;
     const bool fresh = law && feedback.lengths && measuredPose;
     const std::optional<bool> inside =
-        fresh ? std::optional(law->isThere(*feedback.lengths, *measuredPose, options.settleWindow)) : std::nullopt;
+        fresh ? std::optional(law->isThere(*feedback.lengths, *measuredPose, options.settleWindow))
+              : std::nullopt;
     const bool wasMoving = move->phase() == Move::Phase::Moving;
     if (std::optional<Event> event = move->update(feedback.state, law && law->pathIsOver(), inside, time))
         raise(std::move(*event));
@@ -129,7 +133,8 @@ void ControlLoop::Impl::advanceMove(Clock::time_point time) {
             law.reset(); // the set-point is held from here on; in workspace mode the pose is
         return;
     }
-    if (move->phase() == Move::Phase::Ready && feedback.state == ControllerState::Enabled && measuredPose && measured)
+    if (move->phase() == Move::Phase::Ready && feedback.state == ControllerState::Enabled && measuredPose &&
+        measured)
         beginMotion(time);
 }
 

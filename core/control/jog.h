@@ -11,8 +11,8 @@ enum class JogFrame { Base, Platform };
 
 /// Along or about one axis of a frame.
 struct JogDirection {
-    int axis = 0;     ///< 0..2: along x, y, z; 3..5: about x, y, z
-    bool up = true;   ///< towards larger values
+    int axis = 0;   ///< 0..2: along x, y, z; 3..5: about x, y, z
+    bool up = true; ///< towards larger values
     JogFrame frame = JogFrame::Base;
     bool operator==(const JogDirection&) const = default;
 };

@@ -14,9 +14,9 @@ namespace hexapose {
 
 namespace {
 
-constexpr int kLooksAhead = 4;      ///< poses on the way to rest that are judged
-constexpr double kReserve = 1.2;    ///< of that way
-constexpr double kStands = 1e-3;    ///< of full pace: less is none
+constexpr int kLooksAhead = 4;   ///< poses on the way to rest that are judged
+constexpr double kReserve = 1.2; ///< of that way
+constexpr double kStands = 1e-3; ///< of full pace: less is none
 
 } // namespace
 
@@ -49,11 +49,13 @@ double JogLaw::wantedPace(const Cycle& cycle) {
     const double legRate = (geometricJacobian(m_geometry, m_reference) * unit).cwiseAbs().maxCoeff();
     const double full = std::min(most.pace, m_bounds.legSpeed / std::max(legRate, 1e-9));
     const double pace = full * m_part * cycle.speed;
-    const double faster = std::max(m_pace, 0.0) + std::max(m_acceleration, 0.0) * most.acceleration / most.jerk;
+    const double faster =
+        std::max(m_pace, 0.0) + std::max(m_acceleration, 0.0) * most.acceleration / most.jerk;
     const double way = kReserve * (0.5 * faster * faster / most.acceleration +
                                    faster * (most.acceleration / most.jerk + 2.0 * cycle.seconds));
     for (int k = 1; k <= kLooksAhead; ++k) {
-        const Pose ahead = displaced(m_reference, (way * k / kLooksAhead + kStands * full * cycle.seconds) * unit);
+        const Pose ahead =
+            displaced(m_reference, (way * k / kLooksAhead + kStands * full * cycle.seconds) * unit);
         const Verdict verdict = checkPose(m_geometry, cycle.limits, ahead);
         if (verdict.ok())
             continue;
@@ -70,7 +72,8 @@ void JogLaw::changePace(double wanted, double seconds) {
     const double missing = wanted - m_pace;
     // The largest acceleration that jerk can still take away before the pace is reached.
     const double swing = std::sqrt(2.0 * most.jerk * std::abs(missing));
-    const double aim = std::copysign(std::min({most.acceleration, swing, std::abs(missing) / seconds}), missing);
+    const double aim =
+        std::copysign(std::min({most.acceleration, swing, std::abs(missing) / seconds}), missing);
     m_acceleration += std::clamp(aim - m_acceleration, -most.jerk * seconds, most.jerk * seconds);
     m_pace = std::max(m_pace + m_acceleration * seconds, 0.0);
     if (wanted == 0.0 && m_pace <= kStands * most.pace)
@@ -84,9 +87,11 @@ LegLengths JogLaw::step(const Cycle& cycle) {
     if (m_pace == 0.0)
         m_direction = m_wanted;
     changePace(wantedPace(cycle), m_waited);
-    const WorkspaceController::Step step = m_controller.step({*cycle.lengths, *cycle.pose, m_waited},
-                                                             *reference(), 1.0, cycle.limits);
-    m_reference = displaced(m_reference, step.pathRate * m_waited * m_pace * unitTwist(m_direction, m_reference));
+    const WorkspaceController::Step step =
+        m_controller.step({*cycle.lengths, *cycle.pose, m_waited}, *reference(),
+                          WorkspaceController::Following::Time, 1.0, cycle.limits);
+    m_reference =
+        displaced(m_reference, step.pathRate * m_waited * m_pace * unitTwist(m_direction, m_reference));
     m_waited = 0.0;
     m_setPoint = step.setPoint;
     return m_setPoint;

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kMemory = 4.0;       ///< s of motion after which a measurement counts a third
 constexpr double kSlowest = 1e-3;     ///< m/s: below it a leg stands, of which the rounding makes no rate
-constexpr double kGuessWeight = 2e-5; ///< (m/s)^2 of motion that the guess is worth
+constexpr double kGuessWeight = 1e-6; ///< (m/s)^2 s: of motion that the guess of the lag is worth
+constexpr double kOffsetWeight = 1.0; ///< s of measurements that the guess of no offset is worth
 
 } // namespace
 
@@ -35,12 +36,13 @@ void LegLagEstimator::add(const LegLengths& setPoint, const LegLengths& measured
                 continue;
             Sums& s = m_sums[static_cast<std::size_t>(leg)];
             const double keep = std::exp(-seconds / kMemory);
-            s = {keep * s.n + seconds,        keep * s.x + seconds * rate,
-                 keep * s.y + seconds * meanGap, keep * s.xx + seconds * rate * rate,
-                 keep * s.xy + seconds * rate * meanGap};
-            const double xx = s.xx - s.x * s.x / s.n + kGuessWeight;
-            const double xy = s.xy - s.x * s.y / s.n + kGuessWeight * guess();
-            m_lags[leg] = std::clamp(xy / xx, 0.0, longest());
+            s = {keep * s.n + seconds, keep * s.x + seconds * rate, keep * s.y + seconds * meanGap,
+                 keep * s.xx + seconds * rate * rate, keep * s.xy + seconds * rate * meanGap};
+            // Least squares for lag and offset, with a guess for both: at one even rate they look alike.
+            const double xx = s.xx + kGuessWeight;
+            const double xy = s.xy + kGuessWeight * guess();
+            const double n = s.n + kOffsetWeight;
+            m_lags[leg] = std::clamp((xy * n - s.x * s.y) / (xx * n - s.x * s.x), 0.0, longest());
         }
     }
     m_ring[static_cast<std::size_t>(m_next)] = m_last;

@@ -8,11 +8,12 @@
 
 namespace hexapose {
 
-/// How long each leg lags behind its set-point: the time T in set-point - length = T * rate + offset, found by
-/// least squares over the recent motion, with the wire's delay in it. Legs that stand tell nothing. Pure.
+/// How long each leg lags behind its set-point: the time T in set-point - length = T * rate + offset, found
+/// by least squares over the recent motion, with the wire's delay in it. Legs that stand tell nothing. Pure.
 class LegLagEstimator {
 public:
-    /// The set-point that was in force, and the length measured at the end of it; seconds since the one before.
+    /// The set-point that was in force, and the length measured at the end of it; seconds since the one
+    /// before.
     void add(const LegLengths& setPoint, const LegLengths& measured, double seconds);
     /// s, each within [0, longest()]. Before anything is known: guess().
     const LegLengths& lags() const { return m_lags; }

@@ -58,7 +58,8 @@ constexpr Row kTable[] = {
     {When::LinkGone, kEvery, kAnything, RunState::Disconnected, Pending::None, Do::None},
 
     // The operator's wishes. Run prepares first (reference, enable) and moves once the path begins.
-    {When::Run, kUnreferenced | kDisabled | kEnabled | kSettling, kNothing, kStays, Pending::Motion, Do::Prepare},
+    {When::Run, kUnreferenced | kDisabled | kEnabled | kSettling, kNothing, kStays, Pending::Motion,
+     Do::Prepare},
     {When::Jog, kEnabled | kSettling, kNothing, RunState::Moving, Pending::None, Do::BeginJog},
     {When::Reference, kUnreferenced | kDisabled, kNothing, kStays, kStays, Do::SendReference},
     {When::Enable, kDisabled, kNothing, kStays, kStays, Do::SendEnable},

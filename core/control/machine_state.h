@@ -35,11 +35,11 @@ enum class MachineEvent {
     Trips, ///< a limit, stale data, the solver, the link: whatever must end a motion
 };
 inline constexpr std::array kMachineEvents{
-    MachineEvent::Run,          MachineEvent::Jog,        MachineEvent::Stop,          MachineEvent::Reference,
-    MachineEvent::Enable,       MachineEvent::Disable,    MachineEvent::Clear,         MachineEvent::IsUnreferenced,
-    MachineEvent::IsDisabled,   MachineEvent::IsEnabled,  MachineEvent::IsStopped,     MachineEvent::HasFault,
-    MachineEvent::LeftStop,     MachineEvent::LinkGone,   MachineEvent::PathBegins,    MachineEvent::MotionDropped,
-    MachineEvent::PathEnds,     MachineEvent::Settles,    MachineEvent::Trips};
+    MachineEvent::Run,        MachineEvent::Jog,       MachineEvent::Stop,       MachineEvent::Reference,
+    MachineEvent::Enable,     MachineEvent::Disable,   MachineEvent::Clear,      MachineEvent::IsUnreferenced,
+    MachineEvent::IsDisabled, MachineEvent::IsEnabled, MachineEvent::IsStopped,  MachineEvent::HasFault,
+    MachineEvent::LeftStop,   MachineEvent::LinkGone,  MachineEvent::PathBegins, MachineEvent::MotionDropped,
+    MachineEvent::PathEnds,   MachineEvent::Settles,   MachineEvent::Trips};
 
 /// Whether an event is a wish of the operator, which can be refused.
 bool isCommand(MachineEvent event);
@@ -57,7 +57,16 @@ struct MachineState {
 };
 
 /// What the loop has to do about an event.
-enum class MachineAction { None, Prepare, BeginJog, SendStop, SendReference, SendEnable, SendDisable, SendClear };
+enum class MachineAction {
+    None,
+    Prepare,
+    BeginJog,
+    SendStop,
+    SendReference,
+    SendEnable,
+    SendDisable,
+    SendClear
+};
 
 struct Transition {
     MachineState next;

@@ -23,11 +23,11 @@ namespace {
 /// The pose at the end of the leg path is the target when it is this close, relative to the machine's size
 /// and in rad.
 constexpr double kSamePose = 1e-6;
-constexpr double kFirstStep = 0.01;     ///< of a leg path
-constexpr double kShortestStep = 1e-5;  ///< of a leg path
-constexpr int kParts = 200;             ///< of a motion
-constexpr double kResolution = 1e-5;    ///< of the machine's size: what a part of a motion is divided down to
-constexpr double kRateSlack = 1e-2;     ///< of a leg's speed or acceleration: it is read between samples
+constexpr double kFirstStep = 0.01;    ///< of a leg path
+constexpr double kShortestStep = 1e-5; ///< of a leg path
+constexpr int kParts = 200;            ///< of a motion
+constexpr double kResolution = 1e-5;   ///< of the machine's size: what a part of a motion is divided down to
+constexpr double kRateSlack = 1e-2;    ///< of a leg's speed or acceleration: it is read between samples
 
 bool samePose(const PlatformGeometry& geometry, const Pose& a, const Pose& b) {
     const double angle = (rotationMatrix(a.angles) - rotationMatrix(b.angles)).norm();
@@ -97,8 +97,9 @@ public:
             reach = std::max(reach, leg.p_PB_P.norm());
         m_legPace = motion.fastest() + motion.fastestTurn() * reach;
         const double centre = m_equations.centroidInP().norm();
-        m_jacobianPace = (motion.fastest() + motion.fastestTurn() * (centre + m_equations.spread() * m_equations.size())) /
-                         m_equations.size();
+        m_jacobianPace =
+            (motion.fastest() + motion.fastestTurn() * (centre + m_equations.spread() * m_equations.size())) /
+            m_equations.size();
     }
 
     Verdict judge() {
@@ -132,7 +133,9 @@ private:
                 geometricJacobian(m_geometry, reference.pose) * reference.twist,
                 JacobianAt(m_equations, reference.pose)};
     }
-    double fraction(double time) const { return m_motion.duration() > 0.0 ? time / m_motion.duration() : 1.0; }
+    double fraction(double time) const {
+        return m_motion.duration() > 0.0 ? time / m_motion.duration() : 1.0;
+    }
 
     Verdict judgeSample(const Sample& at) const {
         Verdict verdict = checkLegs(m_limits, at.lengths);
@@ -156,7 +159,8 @@ private:
         const double span = m_legPace * (b.time - a.time);
         for (int leg = 0; leg < kLegCount; ++leg) {
             const double middle = 0.5 * (a.lengths[leg] + b.lengths[leg]);
-            if (middle + 0.5 * span > m_limits.maxLength[leg] || middle - 0.5 * span < m_limits.minLength[leg])
+            if (middle + 0.5 * span > m_limits.maxLength[leg] ||
+                middle - 0.5 * span < m_limits.minLength[leg])
                 return false;
         }
         return true;

@@ -13,12 +13,12 @@ namespace {
 
 using State = PathTiming::State;
 
-constexpr int kCapSamples = 256;    ///< of the rate limit over s
-constexpr int kBrakeSamples = 24;   ///< of a braking, when it is judged
-constexpr int kStepsOfAPlan = 1000; ///< about, where the limits let the plan be as coarse as that
-constexpr int kStepsOfAJerk = 10;   ///< at least, in the time that a change of acceleration takes
-constexpr int kBisections = 10;     ///< of the jerk
-constexpr int kMostSteps = 200000;  ///< a guard, never met: a plan ends long before
+constexpr int kCapSamples = 256;       ///< of the rate limit over s
+constexpr int kBrakeSamples = 24;      ///< of a braking, when it is judged
+constexpr int kStepsOfAPlan = 1000;    ///< about, where the limits let the plan be as coarse as that
+constexpr int kStepsOfAJerk = 10;      ///< at least, in the time that a change of acceleration takes
+constexpr int kBisections = 10;        ///< of the jerk
+constexpr int kMostSteps = 200000;     ///< a guard, never met: a plan ends long before
 constexpr double kEndTolerance = 1e-6; ///< of s: so close to the end of a braking, the braking begins
 
 State after(const State& state, double jerk, double t) {
@@ -75,7 +75,8 @@ struct Braking {
 
 bool keepsLimits(const State& state, const PathBounds& bounds, const RateCap& cap) {
     constexpr double kRoundOff = 1.0 + 1e-9;
-    if (std::abs(state.acceleration) > bounds.acceleration * kRoundOff || state.rate > cap.at(state.s) * kRoundOff)
+    if (std::abs(state.acceleration) > bounds.acceleration * kRoundOff ||
+        state.rate > cap.at(state.s) * kRoundOff)
         return false;
     const Braking braking(state, bounds);
     if (!braking.possible)
@@ -100,7 +101,8 @@ bool keepsLimits(const State& state, const PathBounds& bounds, const RateCap& ca
 
 PathTiming::PathTiming(const PathBounds& bounds, const std::function<double(double)>& largestRate) {
     const RateCap cap(bounds.rate, largestRate);
-    const double whole = 1.0 / cap.least() + cap.least() / bounds.acceleration + bounds.acceleration / bounds.jerk;
+    const double whole =
+        1.0 / cap.least() + cap.least() / bounds.acceleration + bounds.acceleration / bounds.jerk;
     const double step = std::min(whole / kStepsOfAPlan, bounds.acceleration / bounds.jerk / kStepsOfAJerk);
     State state;
     double time = 0.0;

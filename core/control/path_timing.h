@@ -14,9 +14,10 @@ struct PathBounds {
     double jerk = 0.0;
 };
 
-/// The fastest way in time from s = 0 to s = 1, from rest to rest, under limits of rate, acceleration and jerk
-/// and a rate limit that depends on s. It takes at every instant the largest jerk after which the hardest
-/// braking still keeps every limit: where the rate limit is constant, that is the seven-piece profile.
+/// The fastest way in time from s = 0 to s = 1, from rest to rest, under limits of rate, acceleration and
+/// jerk and a rate limit that depends on s. It takes at every instant the largest jerk after which the
+/// hardest braking still keeps every limit: where the rate limit is constant, that is the seven-piece
+/// profile.
 class PathTiming {
 public:
     struct State {
@@ -29,7 +30,7 @@ public:
     PathTiming(const PathBounds& bounds, const std::function<double(double)>& largestRate);
 
     double duration() const { return m_duration; } ///< s
-    State at(double seconds) const;                ///< at rest at the start before 0, at the end after the end
+    State at(double seconds) const; ///< at rest at the start before 0, at the end after the end
 
 private:
     struct Piece { ///< constant jerk

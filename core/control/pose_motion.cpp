@@ -9,11 +9,11 @@ namespace hexapose {
 
 namespace {
 
-constexpr double kStrokeSeconds = 2.5;  ///< mean stroke in so long
-constexpr double kFastestLeg = 0.08;    ///< m/s, below what the drives can do
-constexpr double kToFullSpeed = 0.25;   ///< s
+constexpr double kStrokeSeconds = 2.5;      ///< mean stroke in so long
+constexpr double kFastestLeg = 0.08;        ///< m/s, below what the drives can do
+constexpr double kToFullSpeed = 0.25;       ///< s
 constexpr double kToFullAcceleration = 0.1; ///< s
-constexpr double kLegMargin = 4.0;      ///< of the legs' acceleration over that of P
+constexpr double kLegMargin = 4.0;          ///< of the legs' acceleration over that of P
 
 void fill(double& number, double value) {
     if (!(number > 0.0))

@@ -20,8 +20,8 @@ struct MotionBounds {
     double legAcceleration = 0.0;  ///< of each leg, m/s^2
 };
 
-/// What is not given, from the machine: a stroke in 2.5 s (at most 80 mm/s) for legs and P, turning as fast as
-/// that at the joints; full speed after 0.25 s, full acceleration after 0.1 s.
+/// What is not given, from the machine: a stroke in 2.5 s (at most 80 mm/s) for legs and P, turning as fast
+/// as that at the joints; full speed after 0.25 s, full acceleration after 0.1 s.
 MotionBounds completed(MotionBounds bounds, const PlatformGeometry& geometry);
 
 /// Where the platform should be at a time, and how it should move there.
@@ -36,7 +36,8 @@ public:
     virtual ~PoseMotion() = default;
     virtual PoseReference at(double seconds) const = 0; ///< before 0 as at 0, after the end as at the end
     virtual double duration() const = 0;                ///< s
-    /// Upper bound of |v| (m/s) and |omega| (rad/s) at any time: what lies between two samples is judged by it.
+    /// Upper bound of |v| (m/s) and |omega| (rad/s) at any time: what lies between two samples is judged by
+    /// it.
     virtual double fastest() const = 0;
     virtual double fastestTurn() const = 0;
 };

@@ -7,8 +7,8 @@
 
 namespace hexapose {
 
-/// A part of full speed that follows what is asked for without a jump: from 0 to 1 in a quarter of a second. A
-/// motion begins with what is asked for then, as it begins from rest.
+/// A part of full speed that follows what is asked for without a jump: from 0 to 1 in a quarter of a second.
+/// A motion begins with what is asked for then, as it begins from rest.
 class SpeedRamp {
 public:
     double step(double wanted, double seconds) {

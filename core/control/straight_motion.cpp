@@ -13,10 +13,10 @@ namespace hexapose {
 
 namespace {
 
-constexpr double kMargin = 0.995;       ///< of a limit that holds along the way: the plan is made of steps
-constexpr int kLegSamples = 200;        ///< of the legs' accelerations
-constexpr int kReplans = 8;             ///< for them
-constexpr double kNoLength = 1e-12;     ///< of the machine's size, and rad
+constexpr double kMargin = 0.995;   ///< of a limit that holds along the way: the plan is made of steps
+constexpr int kLegSamples = 200;    ///< of the legs' accelerations
+constexpr int kReplans = 8;         ///< for them
+constexpr double kNoLength = 1e-12; ///< of the machine's size, and rad
 
 /// A limit of s from a limit of what grows by `length` over the whole way.
 double share(double limit, double length) {
@@ -65,7 +65,8 @@ StraightMotion::StraightMotion(const PlatformGeometry& geometry, const Pose& fro
         if (excess <= 1.0)
             break;
         const double slower = kMargin / std::sqrt(excess);
-        path = {path.rate * slower, path.acceleration * slower * slower, path.jerk * slower * slower * slower};
+        path = {path.rate * slower, path.acceleration * slower * slower,
+                path.jerk * slower * slower * slower};
         legSpeed *= slower;
     }
     m_fastestRate = path.rate;

@@ -14,7 +14,8 @@ namespace hexapose {
 class StraightMotion final : public PoseMotion {
 public:
     /// bounds: complete ones. Both poses finite. Of no length: a motion that is over at once.
-    StraightMotion(const PlatformGeometry& geometry, const Pose& from, const Pose& to, const MotionBounds& bounds);
+    StraightMotion(const PlatformGeometry& geometry, const Pose& from, const Pose& to,
+                   const MotionBounds& bounds);
 
     PoseReference at(double seconds) const override;
     double duration() const override { return m_timing ? m_timing->duration() : 0.0; }

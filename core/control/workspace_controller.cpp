@@ -3,6 +3,7 @@
 
 #include "core/control/workspace_controller.h"
 
+#include "core/kinematics/inverse_kinematics.h"
 #include "core/kinematics/jacobian.h"
 
 #include <algorithm>
@@ -13,6 +14,11 @@ namespace hexapose {
 namespace {
 
 constexpr double kGainPerPeriod = 0.25; ///< of an error is taken away in a feedback period at most
+constexpr double kLeadOfGap = 1.4;      ///< aim and lead together, of the gap limit
+constexpr double kWaitTime = 0.05;      ///< s: the reference takes up a lag in about so long
+constexpr double kMostWait = 0.5;       ///< of the path's rate
+constexpr double kSlipRange = 1.5;      ///< of the rest distance: a leg that is further off carries a load
+constexpr double kSlipTime = 0.15;      ///< s
 constexpr double kGapToSlow = 0.5;      ///< of the gap limit: from there on the path slows down
 
 } // namespace
@@ -38,17 +44,38 @@ double WorkspaceController::allowedRate(const LegLengths& feed, const LegLengths
     return rate;
 }
 
-WorkspaceController::Step WorkspaceController::step(const Measurement& measured, const PoseReference& reference,
+/// What is left of an error at rest is within the rounding of the measurement. Without a load on the legs the
+/// lengths of the reference are nearer to the truth than what is measured.
+void WorkspaceController::slipToRest(const LegLengths& end, double seconds) {
+    const LegLengths left = end - m_aim;
+    const double largest = left.cwiseAbs().maxCoeff();
+    if (largest > 0.0 && largest <= kSlipRange * m_options.restDistance)
+        m_aim += std::min(seconds / kSlipTime, 1.0) * left;
+}
+
+/// How long the platform is behind the reference along its twist, s; turning counts as the joints move by it.
+double WorkspaceController::lagOf(const Twist& error, const Twist& twist) const {
+    const double arm = m_geometry.jointRadius() * m_geometry.jointRadius();
+    const double square = twist.head<3>().squaredNorm() + arm * twist.tail<3>().squaredNorm();
+    const double along = error.head<3>().dot(twist.head<3>()) + arm * error.tail<3>().dot(twist.tail<3>());
+    return square > 0.0 ? along / square : 0.0;
+}
+
+WorkspaceController::Step WorkspaceController::step(const Measurement& measured,
+                                                    const PoseReference& reference, Following following,
                                                     double wantedRate, const MotionLimits& limits) {
     m_lagEstimator.add(m_setPoint, measured.lengths, measured.seconds);
     Step step{};
     step.error = displacement(measured.pose, reference.pose);
+    // On a path the part of the error along it is not the legs' to make good: the reference waits instead.
+    const double lag = following == Following::Path ? lagOf(step.error, reference.twist) : 0.0;
+    const Twist toCorrect = step.error - lag * reference.twist;
     const double gain = std::min(m_options.gain, kGainPerPeriod / std::max(measured.seconds, 1e-6));
     const Jacobian J = geometricJacobian(m_geometry, measured.pose);
     const LegLengths feed = J * reference.twist;
     const bool rests = reference.twist.isZero(0.0) && step.error.head<3>().norm() <= m_options.restDistance &&
                        step.error.tail<3>().norm() <= m_options.restAngle;
-    LegLengths correction = rests ? LegLengths(LegLengths::Zero()) : LegLengths(gain * (J * step.error));
+    LegLengths correction = rests ? LegLengths(LegLengths::Zero()) : LegLengths(gain * (J * toCorrect));
     // A correction alone may ask for more than the legs can: then all of it is scaled.
     const double largest = correction.cwiseAbs().maxCoeff();
     if (largest > m_options.legSpeed) {
@@ -57,15 +84,18 @@ WorkspaceController::Step WorkspaceController::step(const Measurement& measured,
     }
 
     const double gap = (m_aim - measured.lengths).cwiseAbs().maxCoeff() / m_options.gapLimit;
-    double rate = std::min({wantedRate, allowedRate(feed, correction),
-                            std::clamp((1.0 - gap) / (1.0 - kGapToSlow), 0.0, 1.0)});
+    double rate = std::min(
+        {wantedRate, allowedRate(feed, correction), std::clamp((1.0 - gap) / (1.0 - kGapToSlow), 0.0, 1.0)});
     step.saturated = step.saturated || rate < wantedRate;
     // Slower at once, faster little by little.
     rate = std::min(rate, m_pathRate + measured.seconds / m_options.speedUpTime);
-    m_pathRate = step.pathRate = rate;
+    m_pathRate = rate;
+    step.pathRate = rate * (1.0 - std::clamp(lag / kWaitTime, -kMostWait, kMostWait));
 
     const LegLengths rates = rate * feed + correction;
     m_aim += measured.seconds * rates;
+    if (rests)
+        slipToRest(legLengths(m_geometry, reference.pose), measured.seconds);
     const LegLengths ahead = m_aim - measured.lengths;
     const double tooFar = ahead.cwiseAbs().maxCoeff() / m_options.gapLimit;
     if (tooFar > 1.0)
@@ -74,7 +104,11 @@ WorkspaceController::Step WorkspaceController::step(const Measurement& measured,
     const LegLengths aim = m_aim.cwiseMax(limits.minLength).cwiseMin(limits.maxLength);
     step.saturated = step.saturated || aim != m_aim;
     m_aim = aim;
-    m_setPoint = (aim + m_lagEstimator.lags().cwiseProduct(rates)).cwiseMax(limits.minLength).cwiseMin(limits.maxLength);
+    LegLengths lead = aim + m_lagEstimator.lags().cwiseProduct(rates) - measured.lengths;
+    const double furthest = lead.cwiseAbs().maxCoeff() / (kLeadOfGap * m_options.gapLimit);
+    if (furthest > 1.0)
+        lead /= furthest;
+    m_setPoint = (measured.lengths + lead).cwiseMax(limits.minLength).cwiseMin(limits.maxLength);
     step.setPoint = m_setPoint;
     return step;
 }

@@ -8,8 +8,8 @@
 namespace hexapose {
 
 WorkspaceLaw::WorkspaceLaw(WorkspaceController& controller, std::unique_ptr<const PoseMotion> motion,
-                           const LegLengths& from)
-    : m_controller(controller), m_motion(std::move(motion)), m_setPoint(from) {
+                           WorkspaceController::Following following, const LegLengths& from)
+    : m_controller(controller), m_motion(std::move(motion)), m_following(following), m_setPoint(from) {
     m_controller.begin(from);
 }
 
@@ -18,8 +18,8 @@ LegLengths WorkspaceLaw::step(const Cycle& cycle) {
     const double speed = m_ramp.step(cycle.speed, cycle.seconds);
     if (!cycle.lengths || !cycle.pose)
         return m_setPoint; // old data is no data: nothing is integrated on it
-    const WorkspaceController::Step step =
-        m_controller.step({*cycle.lengths, *cycle.pose, m_waited}, m_motion->at(m_pathTime), speed, cycle.limits);
+    const WorkspaceController::Step step = m_controller.step(
+        {*cycle.lengths, *cycle.pose, m_waited}, m_motion->at(m_pathTime), m_following, speed, cycle.limits);
     m_pathTime += step.pathRate * m_waited;
     m_waited = 0.0;
     m_setPoint = step.setPoint;

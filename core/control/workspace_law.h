@@ -14,7 +14,8 @@ namespace hexapose {
 class WorkspaceLaw final : public MotionLaw {
 public:
     /// controller: outlives the law, and keeps what it learned for the next one. from: set-point in force.
-    WorkspaceLaw(WorkspaceController& controller, std::unique_ptr<const PoseMotion> motion, const LegLengths& from);
+    WorkspaceLaw(WorkspaceController& controller, std::unique_ptr<const PoseMotion> motion,
+                 WorkspaceController::Following following, const LegLengths& from);
 
     MotionMode mode() const override { return MotionMode::Workspace; }
     LegLengths step(const Cycle& cycle) override;
@@ -26,6 +27,7 @@ public:
 private:
     WorkspaceController& m_controller;
     std::unique_ptr<const PoseMotion> m_motion;
+    WorkspaceController::Following m_following;
     LegLengths m_setPoint;
     SpeedRamp m_ramp;
     double m_pathTime = 0.0; ///< s

@@ -13,7 +13,8 @@
 namespace hexapose {
 
 struct SimulatedMachine::Impl {
-    Impl(const PlatformGeometry& geometry, const VirtualPlatformOptions& options, std::chrono::milliseconds period)
+    Impl(const PlatformGeometry& geometry, const VirtualPlatformOptions& options,
+         std::chrono::milliseconds period)
         : controller(VirtualPlatform(geometry, options), {"Hexapose simulated machine", period}) {}
 
     void advance(std::chrono::nanoseconds until) {

@@ -9,7 +9,8 @@
 namespace hexapose {
 
 /// 6x1: velocity of the platform origin P (m/s), then angular velocity (rad/s), both in the base frame: what
-/// geometricJacobian() turns into leg rates. Over a time it is a displacement: m, and a rotation vector in rad.
+/// geometricJacobian() turns into leg rates. Over a time it is a displacement: m, and a rotation vector in
+/// rad.
 using Twist = Eigen::Matrix<double, 6, 1>;
 
 /// The rotation about `vector`'s direction by its length, 3x3 (Rodrigues).

@@ -141,4 +141,25 @@ std::vector<Event> parseEvents(std::string_view field) {
     return events;
 }
 
+bool isFault(EventCode code) {
+    switch (code) {
+    case EventCode::LinkLost:
+    case EventCode::StoppedByController:
+    case EventCode::StoppedOnStaleData:
+    case EventCode::StoppedOnSolver:
+    case EventCode::StoppedOnRefusal:
+    case EventCode::StoppedOnFollowingError:
+    case EventCode::StoppedOnNoEcho:
+    case EventCode::StoppedOnLimits:
+    case EventCode::StoppedOnNewIdentity:
+    case EventCode::StoppedAfterLoss:
+    case EventCode::ControllerFault:
+    case EventCode::ClockWentBack:
+    case EventCode::LoopFailed:
+        return true;
+    default:
+        return false;
+    }
+}
+
 } // namespace hexapose

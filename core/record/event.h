@@ -62,6 +62,9 @@ std::optional<EventCode> eventCodeFromWord(std::string_view word);
 /// "move-refused leg 3 above max_mm".
 std::string formatEvent(const Event& event);
 
+/// Whether something ended a motion, or the work, that nobody had asked for.
+bool isFault(EventCode code);
+
 /// One field of the log: the events of a cycle, separated by "; ".
 std::string formatEvents(const std::vector<Event>& events);
 /// The events of such a field. Text that begins with no known word belongs to the detail of the event before

@@ -55,6 +55,25 @@ void appendMeasured(const Snapshot& s, std::string& line) {
         appendCoordinate<kCoordinate>(*s.measuredPose, line);
 }
 
+template <int kCoordinate>
+void appendPath(const Snapshot& s, std::string& line) {
+    if (s.targetPose)
+        appendCoordinate<kCoordinate>(*s.targetPose, line);
+}
+
+void appendMode(const Snapshot& s, std::string& line) {
+    line += toWord(s.mode);
+}
+
+void appendSpeed(const Snapshot& s, std::string& line) {
+    line += formatNumber(100.0 * s.speed);
+}
+
+void appendDeterminantRatio(const Snapshot& s, std::string& line) {
+    if (s.fresh && s.determinantRatio)
+        line += formatFixed(*s.determinantRatio, 4);
+}
+
 void appendStatus(const Snapshot& s, std::string& line) {
     if (s.fresh)
         line += toWord(s.status);
@@ -124,6 +143,15 @@ const std::vector<LogColumn>& logColumns() {
         {"state", appendState},
         {"age_ms", appendAge},
         {"dropped", appendDropped},
+        {"x_path_mm", appendPath<0>},
+        {"y_path_mm", appendPath<1>},
+        {"z_path_mm", appendPath<2>},
+        {"alpha_path_deg", appendPath<3>},
+        {"beta_path_deg", appendPath<4>},
+        {"gamma_path_deg", appendPath<5>},
+        {"mode", appendMode},
+        {"speed_percent", appendSpeed},
+        {"q", appendDeterminantRatio},
         {"event", appendEvents},
     };
     return columns;

@@ -7,6 +7,7 @@
 #include "core/record/append_file.h"
 #include "core/record/log_columns.h"
 
+#include <algorithm>
 #include <condition_variable>
 #include <mutex>
 #include <thread>
@@ -22,6 +23,8 @@ constexpr std::chrono::milliseconds kFlushInterval{50};
 constexpr std::chrono::nanoseconds kQuietRowInterval = std::chrono::milliseconds(100);
 /// 40 s at 100 Hz; memory is taken once.
 constexpr std::size_t kQueueRows = 4096;
+constexpr std::size_t kFaultCycles = 500; ///< kept from before a fault
+constexpr int kMostFaultFiles = 100;      ///< of a session: a broken line must not fill the disk
 
 std::string lostText(std::uint64_t lost) {
     return std::to_string(lost) + " rows lost";
@@ -37,6 +40,8 @@ struct LogWriter::Impl {
     void run(const std::stop_token& stop);
     void format();
     bool write();
+    void remember(const Snapshot& snapshot);
+    void writeFaults();
 
     std::filesystem::path path;
     AppendFile out;
@@ -44,6 +49,9 @@ struct LogWriter::Impl {
     // The loop's side.
     std::optional<RunState> lastState;
     std::chrono::nanoseconds lastRowTime{0};
+    std::vector<Snapshot> recent; ///< a ring; memory is taken once
+    std::size_t nextRecent = 0;
+    int faultsSeen = 0;
 
     // Shared.
     mutable std::mutex mutex;
@@ -53,8 +61,11 @@ struct LogWriter::Impl {
     std::uint64_t lost = 0;
     std::uint64_t lostUntold = 0; ///< since the last row that tells of it
     std::string writeFailure;
+    std::string faultFailure;
+    std::vector<std::vector<Snapshot>> faults; ///< to be written, each from the oldest cycle on
 
     // The writer's side.
+    int faultFiles = 0;
     std::vector<Snapshot> batch;
     std::string text; ///< formatted and not yet written
     std::size_t textDone = 0;
@@ -78,6 +89,7 @@ LogWriter::Impl::Impl(const std::filesystem::path& csvFile, const LogMetadata& m
         std::filesystem::remove(csvFile, ignored);
         throw;
     }
+    recent.reserve(kFaultCycles);
     queue.reserve(kQueueRows);
     batch.reserve(kQueueRows);
     thread = std::jthread([this](const std::stop_token& stop) { run(stop); });
@@ -108,11 +120,54 @@ void LogWriter::Impl::run(const std::stop_token& stop) {
                           [&] { return hurry && queue.size() >= kQueueRows / 2; });
             last = stop.stop_requested();
         }
+        writeFaults();
         // What is left from a failed attempt first, then what has come since.
         if (!write())
             continue;
         format();
         write();
+    }
+}
+
+/// Every cycle, on the loop's side; a fault hands all that is remembered over to the writer.
+void LogWriter::Impl::remember(const Snapshot& snapshot) {
+    if (recent.size() < kFaultCycles)
+        recent.push_back(snapshot);
+    else
+        recent[nextRecent] = snapshot;
+    nextRecent = (nextRecent + 1) % kFaultCycles;
+    const auto isBad = [](const Event& event) { return isFault(event.code); };
+    if (std::none_of(snapshot.events.begin(), snapshot.events.end(), isBad) || ++faultsSeen > kMostFaultFiles)
+        return;
+    std::vector<Snapshot> record;
+    const std::size_t first = recent.size() < kFaultCycles ? 0 : nextRecent;
+    for (std::size_t k = 0; k < recent.size(); ++k)
+        record.push_back(recent[(first + k) % recent.size()]);
+    const std::lock_guard lock(mutex);
+    faults.push_back(std::move(record));
+}
+
+void LogWriter::Impl::writeFaults() {
+    std::vector<std::vector<Snapshot>> taken;
+    {
+        const std::lock_guard lock(mutex);
+        taken.swap(faults);
+    }
+    for (const std::vector<Snapshot>& record : taken) {
+        std::string rows = logHeader();
+        for (const Snapshot& snapshot : record)
+            appendLogRow(snapshot, rows);
+        std::filesystem::path file;
+        std::error_code ignored;
+        do
+            file = faultFile(path, ++faultFiles);
+        while (std::filesystem::exists(file, ignored));
+        try {
+            writeNewFile(file, rows);
+        } catch (const InputError& error) {
+            const std::lock_guard lock(mutex);
+            faultFailure = error.what();
+        }
     }
 }
 
@@ -152,6 +207,7 @@ LogWriter::LogWriter(const std::filesystem::path& csvFile, const LogMetadata& me
 LogWriter::~LogWriter() = default;
 
 void LogWriter::append(const Snapshot& snapshot) {
+    m_impl->remember(snapshot);
     if (!m_impl->becomesRow(snapshot))
         return;
     bool hurry = false;
@@ -184,6 +240,8 @@ std::optional<std::string> LogWriter::failure() const {
     const std::lock_guard lock(m_impl->mutex);
     if (!m_impl->writeFailure.empty())
         return m_impl->writeFailure;
+    if (!m_impl->faultFailure.empty())
+        return m_impl->faultFailure;
     if (m_impl->lost > 0)
         return lostText(m_impl->lost);
     return std::nullopt;
@@ -191,6 +249,10 @@ std::optional<std::string> LogWriter::failure() const {
 
 const std::filesystem::path& LogWriter::file() const {
     return m_impl->path;
+}
+
+std::filesystem::path faultFile(const std::filesystem::path& csvFile, int number) {
+    return csvFile.parent_path() / (csvFile.stem().string() + "-fault-" + std::to_string(number) + ".csv");
 }
 
 } // namespace hexapose

@@ -18,7 +18,8 @@ namespace hexapose {
 /// throws InputError (an existing file is never overwritten: "run.csv: exists already"); later write errors
 /// do not throw, they are told by failure(). Writing is tried again until it works; meanwhile rows wait in a
 /// queue of fixed size, and those that find it full are lost and counted. The log itself says so: an event
-/// log-failed in the last row before the gap.
+/// log-failed in the last row before the gap. When something ends a motion unasked (isFault) the last 500
+/// cycles, rows or not, are kept in a file of their own beside the log: "run-fault-1.csv".
 class LogWriter {
 public:
     LogWriter(const std::filesystem::path& csvFile, const LogMetadata& metadata);
@@ -45,5 +46,8 @@ private:
 /// InputError when that fails.
 std::filesystem::path newLogFile(const std::filesystem::path& directory,
                                  std::chrono::system_clock::time_point now);
+
+/// Where the cycles before the log's fault of that number are kept: dir/run-fault-1.csv for dir/run.csv.
+std::filesystem::path faultFile(const std::filesystem::path& csvFile, int number);
 
 } // namespace hexapose

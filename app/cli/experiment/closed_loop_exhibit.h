@@ -7,8 +7,13 @@
 
 namespace hexapose::experiment {
 
-/// Joint mode beside workspace mode over the same moves: tables, CSV, pictures and what was expected.
-reproduce::Exhibit closedLoopExhibit(const TrialSettings& settings, const std::vector<MoveOutcome>& joint,
-                                     const std::vector<MoveOutcome>& workspace);
+/// Both modes over the same moves.
+struct BothModes {
+    std::vector<MoveOutcome> joint, workspace;
+};
+
+/// Joint mode beside workspace mode: tables, CSV, pictures and what was expected. calm: without the push.
+reproduce::Exhibit closedLoopExhibit(const TrialSettings& settings, const BothModes& pushed,
+                                     const BothModes& calm);
 
 } // namespace hexapose::experiment

@@ -17,16 +17,18 @@ namespace hexapose::experiment {
 
 namespace {
 
-constexpr double kRange = 0.13;             ///< of the machine's size: offsets of the targets
+constexpr double kRange = 0.13; ///< of the machine's size: offsets of the targets
 constexpr double kAngleRange = radiansFromDeg(12.0);
 constexpr int kTriesOfARange = 2000;
 constexpr int kHalvings = 12;
-constexpr double kPushAt = 0.4;             ///< of the planned time
-constexpr double kSpeedWindow = 0.1;        ///< s, over which a speed is taken
-constexpr double kAfterPush = 0.8;          ///< s, until a push is over for the speed
-constexpr double kConstant = 2e-3;          ///< the planned speed changes by so little in a window where it is constant
-constexpr int kMostCycles = 3000;           ///< of one move: half a minute
-constexpr double kTightTolerance = 1e-9;    ///< m
+constexpr double kPushAt = 0.4;        ///< of the planned time
+constexpr double kSpeedWindow = 0.1;   ///< s, over which a speed is taken
+constexpr double kTakesUpSpeed = 0.25; ///< s, that legs and loop have to take up a speed
+constexpr int kBisections = 40;
+constexpr double kSlow = 0.1;            ///< of the full speed: less is none
+constexpr double kConstant = 5e-3;       ///< the commanded speed changes by no more where it is constant
+constexpr int kMostCycles = 3000;        ///< of one move: half a minute
+constexpr double kTightTolerance = 1e-9; ///< m
 
 double seconds(std::chrono::nanoseconds duration) {
     return std::chrono::duration<double>(duration).count();
@@ -62,7 +64,8 @@ public:
                 } else if (event.code != EventCode::Enabled && event.code != EventCode::Referencing &&
                            event.code != EventCode::Referenced && event.code != EventCode::Connected &&
                            event.code != EventCode::DataFresh && event.code != EventCode::NotSettled) {
-                    throw InputError("move " + std::to_string(index + 1) + ", " + std::string(toWord(m_mode)) + " mode",
+                    throw InputError("move " + std::to_string(index + 1) + ", " +
+                                         std::string(toWord(m_mode)) + " mode",
                                      formatEvent(event));
                 }
             if (begun)
@@ -82,6 +85,7 @@ private:
         m_way = displacement(m_true, target);
         m_plan.emplace(m_settings.platform, *m_last.measuredPose, target, m_bounds);
         m_track.clear();
+        m_constantSpeed = m_constantSince = 0.0;
     }
 
     Pose truePose() {
@@ -106,31 +110,40 @@ private:
         const double place = std::clamp(part, 0.0, 1.0);
         const Pose onTheWay = displaced(m_outcome.from, place * m_way);
         const Twist beside = displacement(pose, onTheWay);
-        Moment moment{time, beside.head<3>().norm(), beside.tail<3>().norm(), 0.0,
-                      m_plan->at(time).twist.head<3>().norm()};
-        const auto before = std::find_if(m_track.rbegin(), m_track.rend(),
-                                         [&](const auto& p) { return p.first <= time - kSpeedWindow + 1e-9; });
+        Moment moment{time, beside.head<3>().norm(), beside.tail<3>().norm(), 0.0, commandedSpeed(time)};
+        const auto before = std::find_if(m_track.rbegin(), m_track.rend(), [&](const auto& p) {
+            return p.first <= time - kSpeedWindow + 1e-9;
+        });
         if (before != m_track.rend()) {
-            const double window = time - before->first;
-            moment.speed = (pose.offset - before->second).norm() / window;
-            const bool nearPush = m_settings.push != 0.0 && time > pushBegin &&
-                                  time < pushBegin + m_settings.pushSeconds + kAfterPush;
-            judgeSpeed(moment, before->first, nearPush);
+            moment.speed = (pose.offset - before->second).norm() / (time - before->first);
+            if (m_settings.push == 0.0 && time - m_constantSince >= kSpeedWindow + kTakesUpSpeed &&
+                m_mode == MotionMode::Workspace)
+                m_outcome.speedError = std::max(m_outcome.speedError.value_or(0.0),
+                                                std::abs(moment.speed / moment.plannedSpeed - 1.0));
         }
         m_outcome.largestDeviation = std::max(m_outcome.largestDeviation, moment.deviation);
         m_outcome.largestAngleDeviation = std::max(m_outcome.largestAngleDeviation, moment.angleDeviation);
         m_outcome.moments.push_back(moment);
     }
 
-    void judgeSpeed(const Moment& moment, double since, bool nearPush) {
-        const double planned = moment.plannedSpeed;
-        const double before = m_plan->at(since).twist.head<3>().norm();
-        const double middle = m_plan->at(0.5 * (since + moment.seconds)).twist.head<3>().norm();
-        const bool constant = planned > 0.0 && std::abs(before - planned) <= kConstant * planned &&
-                              std::abs(middle - planned) <= kConstant * planned;
-        if (!constant || nearPush || m_mode == MotionMode::Joint)
-            return;
-        m_outcome.speedError = std::max(m_outcome.speedError.value_or(0.0), std::abs(moment.speed / planned - 1.0));
+    /// The planned speed at the place where the reference is: in joint mode, at the same time.
+    double commandedSpeed(double time) {
+        double at = time;
+        if (m_mode == MotionMode::Workspace && m_last.targetPose) {
+            const double gone = (m_last.targetPose->offset - m_plan->from().offset).norm();
+            double low = 0.0, high = m_plan->duration();
+            for (int k = 0; k < kBisections; ++k) {
+                at = 0.5 * (low + high);
+                ((m_plan->at(at).pose.offset - m_plan->from().offset).norm() < gone ? low : high) = at;
+            }
+        }
+        const double speed = m_plan->at(at).twist.head<3>().norm();
+        if (speed < kSlow * m_bounds.speed ||
+            std::abs(speed - m_constantSpeed) > kConstant * m_constantSpeed) {
+            m_constantSpeed = speed;
+            m_constantSince = time;
+        }
+        return speed;
     }
 
     MoveOutcome finish(double time) {
@@ -152,6 +165,8 @@ private:
     Twist m_way = Twist::Zero();
     Pose m_true;
     std::optional<StraightMotion> m_plan;
+    double m_constantSpeed = 0.0; ///< m/s, commanded
+    double m_constantSince = 0.0; ///< s
     std::vector<std::pair<double, Eigen::Vector3d>> m_track;
 };
 
@@ -168,7 +183,8 @@ std::vector<Pose> drawTargets(const TrialSettings& settings) {
         std::uniform_real_distribution<double> unit(-1.0, 1.0);
         std::vector<Pose> targets;
         Pose from;
-        for (int tries = 0; tries < kTriesOfARange && static_cast<int>(targets.size()) < settings.moves; ++tries) {
+        for (int tries = 0; tries < kTriesOfARange && static_cast<int>(targets.size()) < settings.moves;
+             ++tries) {
             PoseVector x;
             for (int k = 0; k < 6; ++k)
                 x[k] = part * unit(random) * (k < 3 ? kRange * platform.size() : kAngleRange);

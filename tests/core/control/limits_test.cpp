@@ -3,9 +3,8 @@
 
 #include "core/control/limits.h"
 
-#include "core/geometry/geometry_file.h"
-#include "core/geometry/units.h"
 #include "core/kinematics/inverse_kinematics.h"
+#include "tests/core/control/poses.h"
 
 #include <gtest/gtest.h>
 
@@ -16,16 +15,13 @@
 namespace hexapose {
 namespace {
 
+using testing::poseMm;
+
 class LimitsTest : public ::testing::Test {
 protected:
-    PlatformGeometry m_geometry = loadPlatform(HEXAPOSE_SOURCE_DIR "/resources/platforms/laboratory.toml");
+    PlatformGeometry m_geometry = testing::laboratory();
     MotionLimits m_limits = motionLimits(m_geometry, std::nullopt, std::nullopt);
 };
-
-Pose poseMm(double x, double y, double z, double alphaDeg, double betaDeg, double gammaDeg) {
-    return {{metresFromMm(x), metresFromMm(y), metresFromMm(z)},
-            {radiansFromDeg(alphaDeg), radiansFromDeg(betaDeg), radiansFromDeg(gammaDeg)}};
-}
 
 TEST_F(LimitsTest, TakesTheNarrowerOfPlatformAndController) {
     const MotionLimits narrowed = motionLimits(m_geometry, 0.26, 0.9);

@@ -15,8 +15,9 @@
 namespace hexapose {
 namespace {
 
-constexpr std::array kRunStates{RunState::Disconnected, RunState::Unreferenced, RunState::Disabled, RunState::Enabled,
-                                RunState::Moving,       RunState::Settling,     RunState::Stopped,  RunState::Fault};
+constexpr std::array kRunStates{RunState::Disconnected, RunState::Unreferenced, RunState::Disabled,
+                                RunState::Enabled,      RunState::Moving,       RunState::Settling,
+                                RunState::Stopped,      RunState::Fault};
 constexpr std::array kPendings{Pending::None, Pending::Motion, Pending::Clear};
 
 struct Less {
@@ -97,9 +98,8 @@ TEST(MachineState, NothingButRunOrAHeldJogStartsMotion) {
             EXPECT_TRUE(event == MachineEvent::Jog || event == MachineEvent::Run);
         }
     });
-    const States idle = reachable({}, [](MachineEvent event) {
-        return event != MachineEvent::Run && event != MachineEvent::Jog;
-    });
+    const States idle = reachable(
+        {}, [](MachineEvent event) { return event != MachineEvent::Run && event != MachineEvent::Jog; });
     EXPECT_FALSE(anyMoves(idle));
     EXPECT_TRUE(anyMoves(reachable({}, [](MachineEvent) { return true; }))) << "else this proves nothing";
 }
@@ -123,9 +123,10 @@ TEST(MachineState, NoWayFromStoppedOrFaultToMovingWithoutClearAndEnable) {
         const auto here = [](MachineEvent event) {
             return event != MachineEvent::LinkGone && event != MachineEvent::LeftStop;
         };
-        EXPECT_FALSE(anyMoves(reachable({run}, [&](MachineEvent e) { return here(e) && e != MachineEvent::Clear; })));
         EXPECT_FALSE(
-            anyMoves(reachable({run}, [&](MachineEvent e) { return here(e) && e != MachineEvent::IsEnabled; })));
+            anyMoves(reachable({run}, [&](MachineEvent e) { return here(e) && e != MachineEvent::Clear; })));
+        EXPECT_FALSE(anyMoves(
+            reachable({run}, [&](MachineEvent e) { return here(e) && e != MachineEvent::IsEnabled; })));
         EXPECT_TRUE(anyMoves(reachable({run}, here)));
         // However it got out, it is with the drives off: they have to be enabled, and Run or Jog asked for.
         for (const MachineState& state : reachable({run}, [](MachineEvent e) {
@@ -138,8 +139,8 @@ TEST(MachineState, NoWayFromStoppedOrFaultToMovingWithoutClearAndEnable) {
 TEST(MachineState, DrivesThatGoOffEndWhatWasGoingOn) {
     for (const RunState run : {RunState::Enabled, RunState::Moving, RunState::Settling})
         for (const MachineEvent event :
-             {MachineEvent::IsUnreferenced, MachineEvent::IsDisabled, MachineEvent::IsStopped, MachineEvent::HasFault,
-              MachineEvent::LinkGone})
+             {MachineEvent::IsUnreferenced, MachineEvent::IsDisabled, MachineEvent::IsStopped,
+              MachineEvent::HasFault, MachineEvent::LinkGone})
             EXPECT_EQ(transition({run, Pending::Motion}, event).next.pending, Pending::None)
                 << nameOf({run, Pending::Motion});
 }
@@ -147,14 +148,13 @@ TEST(MachineState, DrivesThatGoOffEndWhatWasGoingOn) {
 TEST(MachineState, RefusesWhatASafeMachineMustRefuse) {
     using E = MachineEvent;
     using S = RunState;
-    const std::vector<std::pair<S, E>> rows{{S::Disconnected, E::Run},   {S::Disconnected, E::Jog},
-                                            {S::Unreferenced, E::Jog},   {S::Disabled, E::Jog},
-                                            {S::Unreferenced, E::Enable}, {S::Moving, E::Run},
-                                            {S::Moving, E::Reference},   {S::Enabled, E::Reference},
-                                            {S::Stopped, E::Run},        {S::Stopped, E::Jog},
-                                            {S::Stopped, E::Enable},     {S::Stopped, E::Reference},
-                                            {S::Fault, E::Run},          {S::Fault, E::Enable},
-                                            {S::Enabled, E::Clear},      {S::Moving, E::Clear}};
+    const std::vector<std::pair<S, E>> rows{
+        {S::Disconnected, E::Run}, {S::Disconnected, E::Jog},    {S::Unreferenced, E::Jog},
+        {S::Disabled, E::Jog},     {S::Unreferenced, E::Enable}, {S::Moving, E::Run},
+        {S::Moving, E::Reference}, {S::Enabled, E::Reference},   {S::Stopped, E::Run},
+        {S::Stopped, E::Jog},      {S::Stopped, E::Enable},      {S::Stopped, E::Reference},
+        {S::Fault, E::Run},        {S::Fault, E::Enable},        {S::Enabled, E::Clear},
+        {S::Moving, E::Clear}};
     for (const auto& [state, event] : rows)
         EXPECT_FALSE(transition({state}, event).defined) << toWord(event) << " in " << toWord(state);
     for (const MachineEvent event : {E::Run, E::Jog, E::Reference})

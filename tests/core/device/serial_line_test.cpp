@@ -50,9 +50,15 @@ protected:
     void TearDown() override { EXPECT_EQ(warnings.exchange(0), 0) << "Qt has something to complain about"; }
 
     static void onThread(const std::function<void()>& work) {
-        const std::unique_ptr<QThread> thread(QThread::create(work));
+        std::atomic<bool> done{
+            false}; // what the thread sanitizer sees of the waiting: Qt's own is hidden from it
+        const std::unique_ptr<QThread> thread(QThread::create([&] {
+            work();
+            done.store(true, std::memory_order_release);
+        }));
         thread->start();
         thread->wait();
+        EXPECT_TRUE(done.load(std::memory_order_acquire));
     }
     fs::path inFolder(const std::string& name) const {
         const auto* test = testing::UnitTest::GetInstance()->current_test_info();

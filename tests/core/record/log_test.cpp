@@ -81,29 +81,37 @@ TEST(UtcText, ReadsBack) {
 }
 
 TEST(LogRow, HoldsEveryColumnOfTheContract) {
-    EXPECT_EQ(logHeader(),
-              "time_s,time_iso,l1_mm,l2_mm,l3_mm,l4_mm,l5_mm,l6_mm,l1_set_mm,l2_set_mm,l3_set_mm,l4_set_mm,"
-              "l5_set_mm,"
-              "l6_set_mm,x_target_mm,y_target_mm,z_target_mm,alpha_target_deg,beta_target_deg,gamma_target_"
-              "deg,x_mm,y_mm,"
-              "z_mm,alpha_deg,beta_deg,gamma_deg,status,iterations,residual_mm,state,age_ms,dropped,event\n");
+    EXPECT_EQ(
+        logHeader(),
+        "time_s,time_iso,l1_mm,l2_mm,l3_mm,l4_mm,l5_mm,l6_mm,l1_set_mm,l2_set_mm,l3_set_mm,l4_set_mm,"
+        "l5_set_mm,"
+        "l6_set_mm,x_target_mm,y_target_mm,z_target_mm,alpha_target_deg,beta_target_deg,gamma_target_"
+        "deg,x_mm,y_mm,"
+        "z_mm,alpha_deg,beta_deg,gamma_deg,status,iterations,residual_mm,state,age_ms,dropped,x_path_mm,"
+        "y_path_mm,z_path_mm,alpha_path_deg,beta_path_deg,gamma_path_deg,mode,speed_percent,q,event\n");
     Snapshot s = fullSnapshot(3);
     s.measuredPose = Pose{{0.012, -0.004, 0.04}, {radiansFromDeg(1), radiansFromDeg(-2.5), 0}};
     s.commandedLengths = LegLengths::Constant(0.3);
+    s.targetPose = Pose{{0.001, 0.002, 0.003}, {0, 0, radiansFromDeg(5)}};
+    s.mode = MotionMode::Workspace;
+    s.speed = 0.5;
+    s.determinantRatio = 0.75;
     s.events = {{EventCode::ControllerRefused, 0.0, "say, \"no\""}};
     std::string row;
     appendLogRow(s, row);
     EXPECT_EQ(
         row,
         "0.030000,2026-03-01T14:05:09.280Z,339.5,336.5,336.6,329.2,345.1,334.5,300,300,300,300,300,300,12,-4,"
-        "40,0,0,5,12,-4,40,1,-2.5,0,converged,3,1.25e-09,moving,1.5,3,"
+        "40,0,0,5,12,-4,40,1,-2.5,0,converged,3,1.25e-09,moving,1.5,3,1,2,3,0,0,5,workspace,50,0.7500,"
         "\"controller-refused say, \"\"no\"\"\"\n");
 }
 
 TEST(LogRow, IsEmptyWhereNothingIsKnown) {
     std::string row;
     appendLogRow(Snapshot{}, row);
-    EXPECT_EQ(row, "0.000000,1970-01-01T00:00:00.000Z,,,,,,,,,,,,,,,,,,,,,,,,,,,,disconnected,,0,\n");
+    EXPECT_EQ(
+        row,
+        "0.000000,1970-01-01T00:00:00.000Z,,,,,,,,,,,,,,,,,,,,,,,,,,,,disconnected,,0,,,,,,,joint,100,,\n");
     Snapshot old = fullSnapshot();
     old.fresh = false;
     row.clear();

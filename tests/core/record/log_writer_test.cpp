@@ -239,5 +239,33 @@ TEST_F(LogWriterTest, TheMetadataIsAPlatformFileUnderPlatform) {
     EXPECT_EQ(formatPlatform(back.platform.value()), formatPlatform(metadata.platform)) << "to the last bit";
 }
 
+TEST_F(LogWriterTest, KeepsTheLastCyclesOfEveryFaultBesideTheLog) {
+    constexpr int kCycles = 700, kFirstFault = 50;
+    {
+        LogWriter writer(file, metadata);
+        Snapshot s = fullSnapshot();
+        for (int k = 0; k < kCycles; ++k) {
+            s.time = std::chrono::milliseconds(10 * k);
+            s.fresh = false; // most of these are no rows of the log
+            s.events.clear();
+            if (k == kFirstFault || k == kCycles - 1)
+                s.events.push_back({EventCode::StoppedOnSolver, 0.0, "singular"});
+            if (k == 60)
+                s.events.push_back({EventCode::StopRequested, 0.0, {}});
+            writer.append(s);
+        }
+    }
+    EXPECT_EQ(lineCount(scratch / "run-fault-1.csv"), 1U + kFirstFault + 1U)
+        << "the header, and all there was";
+    EXPECT_EQ(lineCount(scratch / "run-fault-2.csv"), 1U + 500U);
+    EXPECT_FALSE(std::filesystem::exists(scratch / "run-fault-3.csv"))
+        << "a stop that was asked for is no fault";
+    const SessionLog kept = readSessionLog(scratch / "run-fault-2.csv");
+    ASSERT_EQ(kept.rows.size(), 500U);
+    EXPECT_EQ(kept.rows.back().time, std::chrono::milliseconds(10 * (kCycles - 1)));
+    EXPECT_EQ(kept.rows.back().events.front().code, EventCode::StoppedOnSolver);
+    EXPECT_EQ(kept.rows.front().time, std::chrono::milliseconds(10 * (kCycles - 500)));
+}
+
 } // namespace
 } // namespace hexapose
