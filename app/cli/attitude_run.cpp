@@ -12,13 +12,19 @@ namespace {
 /// Longer than the second that a report averages, by some feedback periods.
 constexpr std::chrono::milliseconds kDwell{1100};
 
+ControlOptions controlOptions(const AttitudeRun::Options& options) {
+    ControlOptions control;
+    control.envelope = options.envelope;
+    return control;
+}
+
 } // namespace
 
 AttitudeRun::AttitudeRun(PlatformDevice& device, const PlatformGeometry& geometry,
                          const ForwardSolver& solver, LogWriter& log, std::vector<Pose> targets,
                          const Options& options)
     : m_log(log), m_options(options), m_sequence(std::move(targets), kDwell),
-      m_loop(device, geometry, solver, ControlOptions{},
+      m_loop(device, geometry, solver, controlOptions(options),
              [this](const Snapshot& snapshot) { take(snapshot); }) {}
 
 void AttitudeRun::run(const std::function<bool()>& interrupted) {

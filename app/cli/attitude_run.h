@@ -22,6 +22,7 @@ public:
     struct Options {
         MotionMode mode = MotionMode::Joint;
         double speed = 1.0;      ///< 0..1, part of full speed
+        PoseEnvelope envelope;   ///< no further from home
         bool clearFirst = false; ///< clear a stop or fault that the controller is in
         std::chrono::seconds connectWithin{10};
     };

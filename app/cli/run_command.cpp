@@ -31,9 +31,10 @@ namespace hexapose {
 namespace {
 
 /// Before anything moves: an attitude that cannot be reached makes the whole list unusable.
-void checkTargets(const PlatformGeometry& platform, const std::vector<Pose>& targets,
-                  const std::string& file) {
-    const MotionLimits limits = motionLimits(platform, std::nullopt, std::nullopt);
+void checkTargets(const PlatformGeometry& platform, const PoseEnvelope& envelope,
+                  const std::vector<Pose>& targets, const std::string& file) {
+    MotionLimits limits = motionLimits(platform, std::nullopt, std::nullopt);
+    limits.envelope = envelope;
     for (std::size_t i = 0; i < targets.size(); ++i) {
         const Verdict verdict = checkPose(platform, limits, targets[i]);
         if (verdict.ok())
@@ -106,6 +107,8 @@ int runCommand(const QStringList& words) {
          {"targets", "POSES.csv", "Attitudes to visit, in order."},
          {"mode", "joint|workspace", "Leg by leg, or closed on the pose (default: joint)."},
          {"speed", "PERCENT", "Part of full speed (default: 100)."},
+         {"envelope-mm", "E", "No further from home along x, y, z (default: no limit)."},
+         {"envelope-deg", "E", "No further from home in alpha, beta, gamma."},
          {"log", "LOG.csv", "The log to write; never one that exists."},
          {"report", "DIR", "Write the error report into this directory."},
          {"clear", "", "Clear a stop or fault of the controller first."},
@@ -127,7 +130,12 @@ int runCommand(const QStringList& words) {
     const int baud = static_cast<int>(arguments.integer("baud", 115200, 50, 12000000));
     const PlatformGeometry platform = arguments.platform();
     const std::vector<Pose> targets = readPoseList(targetsFile);
-    checkTargets(platform, targets, targetsFile);
+    PoseEnvelope envelope;
+    if (arguments.has("envelope-mm"))
+        envelope.furthest.head<3>().setConstant(metresFromMm(arguments.requiredPositive("envelope-mm")));
+    if (arguments.has("envelope-deg"))
+        envelope.furthest.tail<3>().setConstant(radiansFromDeg(arguments.requiredPositive("envelope-deg")));
+    checkTargets(platform, envelope, targets, targetsFile);
     const ChosenSolver chosen = chooseSolver(arguments, platform);
     if (arguments.has("report"))
         checkReport(arguments.requiredText("report"), logFile);
@@ -150,7 +158,7 @@ int runCommand(const QStringList& words) {
 
     catchInterrupts();
     AttitudeRun run(*device, platform, *chosen.solver, log, targets,
-                    {*mode, percent / 100.0, arguments.has("clear")});
+                    {*mode, percent / 100.0, envelope, arguments.has("clear")});
     run.run(interrupted);
 
     const ErrorReport report = makeErrorReport(platform, *chosen.solver, run.samples());

@@ -225,6 +225,21 @@ TEST(BadOptions, OfSimulate) {
                             });
 }
 
+TEST(BadOptions, OfExperiment) {
+    const Files files;
+    const std::string good = "experiment closed-loop --out @out ";
+    expectCliRefused(files, {{"experiment --out @out", {"experiment"}},
+                             {"experiment open-loop --out @out", {"open-loop", "closed-loop"}},
+                             {"experiment closed-loop", {"--out"}},
+                             {"experiment closed-loop --out @plain", {"@plain"}},
+                             {good + "--moves 0", {"--moves", "0"}},
+                             {good + "--time-constants-ms 1,2", {"--time-constants-ms", "1,2"}},
+                             {good + "--time-constants-ms 1,2,3,4,5,x", {"--time-constants-ms", "x"}},
+                             {good + "--time-constants-ms 0", {"--time-constants-ms", "0"}},
+                             {good + "--push-mm none", {"--push-mm", "none"}},
+                             {good + "--platform @plain", {"@plain"}}});
+}
+
 TEST(BadOptions, OfRunAndNothingIsSentOrDamaged) {
     const Files files;
     const Scratch elsewhere;
@@ -255,7 +270,11 @@ TEST(BadOptions, OfRunAndNothingIsSentOrDamaged) {
                          {good + "--baud 0", {"--baud", "0"}},
                          {good + "--baud fast", {"--baud", "fast"}},
                          {good + "--baud -9600", {"--baud", "-9600"}},
-                         {good + "--mode workspace", {"--mode", "workspace"}},
+                         {good + "--mode fast", {"--mode", "fast"}},
+                         {good + "--speed 0", {"--speed", "0"}},
+                         {good + "--speed 101", {"--speed", "101"}},
+                         {good + "--envelope-mm -5", {"--envelope-mm", "-5"}},
+                         {good + "--envelope-deg much", {"--envelope-deg", "much"}},
                          {good + "--mode magic", {"--mode", "magic"}},
                          {good + "--method magic", {"--method", "magic"}},
                          {run("@missing.csv", "@log.csv"), {"@missing.csv"}},

@@ -6,8 +6,8 @@
 #include "core/record/pose_list.h"
 #include "ui/common/read_out.h"
 #include "ui/panels/report_preview.h"
+#include "ui/panels/report_writer.h"
 #include "ui/panels/sample_table.h"
-#include "ui/report/report_export.h"
 
 #include <QComboBox>
 #include <QEvent>
@@ -31,7 +31,9 @@ constexpr std::chrono::milliseconds kDwell{1200};
 } // namespace
 
 ReportPanel::ReportPanel(const PlatformGeometry& geometry, QWidget* parent)
-    : QWidget(parent), m_geometry(geometry) {
+    : QWidget(parent), m_geometry(geometry), m_writer(new ReportWriter(this)) {
+    connect(m_writer, &ReportWriter::written, this, &ReportPanel::showWritten);
+    connect(m_writer, &ReportWriter::failed, this, &ReportPanel::showWriteFailure);
     build();
     retranslate();
     setConnected(false);
@@ -173,23 +175,22 @@ void ReportPanel::exportReport() {
 }
 
 void ReportPanel::write() {
-    try {
-        m_files.clear();
-        for (const auto& file : exportErrorReport(m_report, folder().toStdString())) {
-            m_files.append(QString::fromStdString(file.string()));
-        }
-        showFiles(m_files.join(QLatin1Char('\n')));
-        const QString where = folder();
-        emit noted([where] { return EventText{tr("Report written to %1").arg(where), {}, Tone::Good}; });
-        emit exported(m_files);
-    } catch (const InputError& error) {
-        const QString reason = QString::fromUtf8(error.what());
-        showFiles(reason);
-        emit noted([reason] {
-            return EventText{tr("The report cannot be written: %1").arg(reason), tr("Choose another folder."),
-                             Tone::Bad};
-        });
-    }
+    m_writer->write(m_report, folder());
+}
+
+void ReportPanel::showWritten(const QStringList& files, const QString& where) {
+    m_files = files;
+    showFiles(m_files.join(QLatin1Char('\n')));
+    emit noted([where] { return EventText{tr("Report written to %1").arg(where), {}, Tone::Good}; });
+    emit exported(m_files);
+}
+
+void ReportPanel::showWriteFailure(const QString& reason) {
+    showFiles(reason);
+    emit noted([reason] {
+        return EventText{tr("The report cannot be written: %1").arg(reason), tr("Choose another folder."),
+                         Tone::Bad};
+    });
 }
 
 void ReportPanel::showFiles(const QString& text) {

@@ -22,6 +22,7 @@ class QTableWidget;
 namespace hexapose {
 
 class ReportPreview;
+class ReportWriter;
 class TextReadOut;
 
 /// The error report: samples of settled attitudes, from single Runs or from a list that it runs through; a
@@ -53,7 +54,8 @@ public:
 
 public slots:
     void runReport();
-    /// Writes the files at once; with no sample yet, as soon as the first attitude has settled.
+    /// Writes the files, on a thread of its own; with no sample yet, as soon as the first attitude has
+    /// settled.
     void exportReport();
 
 signals:
@@ -74,6 +76,8 @@ private:
     void advance(const Snapshot& snapshot);
     void rebuildReport();
     void write();
+    void showWritten(const QStringList& files, const QString& where);
+    void showWriteFailure(const QString& reason);
     void showFiles(const QString& text);
     void showProgress();
     void retranslate();
@@ -90,6 +94,7 @@ private:
     bool m_exportPending = false;
     bool m_connected = false;
     QStringList m_files;
+    ReportWriter* m_writer;
 
     QLabel* m_listLabel = nullptr;
     QComboBox* m_list = nullptr;

@@ -151,19 +151,22 @@ Plot tracePlot(const QString& title, const QString& yLabel, std::vector<Plot::Se
     return plot;
 }
 
-Plot barPlot(const std::vector<MoveOutcome>& joint, const std::vector<MoveOutcome>& workspace) {
+/// A value of each move in both modes.
+Plot movePlot(const QString& title, const QString& yLabel, const Quantity& quantity,
+              const std::vector<MoveOutcome>& joint, const std::vector<MoveOutcome>& workspace) {
     Plot plot;
-    plot.title = QStringLiteral("Largest deviation of each move");
+    plot.title = title;
     plot.xLabel = QStringLiteral("move");
-    plot.yLabel = QStringLiteral("mm");
+    plot.yLabel = yLabel;
     plot.series = {{QStringLiteral("joint mode"), reproduce::kVermilion, Plot::Marker::Square, false, {}},
                    {QStringLiteral("workspace mode"), reproduce::kBlue, Plot::Marker::Circle, false, {}}};
     double top = 0.0;
-    for (std::size_t i = 0; i < joint.size(); ++i) {
-        plot.series[0].points.emplace_back(i + 1.0, mmFromMetres(joint[i].largestDeviation));
-        plot.series[1].points.emplace_back(i + 1.0, mmFromMetres(workspace[i].largestDeviation));
-        top = std::max({top, plot.series[0].points.back().y(), plot.series[1].points.back().y()});
-    }
+    for (std::size_t i = 0; i < joint.size(); ++i)
+        for (const std::size_t mode : {0, 1}) {
+            const double value = quantity.of(mode == 0 ? joint[i] : workspace[i]);
+            plot.series[mode].points.emplace_back(static_cast<double>(i) + 1.0, value);
+            top = std::isfinite(value) ? std::max(top, value) : top;
+        }
     plot.x = {0.5, static_cast<double>(joint.size()) + 0.5};
     plot.y = {0.0, 1.1 * top};
     return plot;
@@ -185,7 +188,8 @@ Picture pictureOf(const std::vector<MoveOutcome>& joint, const std::vector<MoveO
     const std::size_t i = worstMove(workspace);
     const QString move = QStringLiteral("move %1").arg(i + 1);
     picture.plots = {
-        barPlot(joint, workspace),
+        movePlot(QStringLiteral("Largest deviation of each move"), QStringLiteral("mm"), kQuantities[0],
+                 joint, workspace),
         tracePlot(QStringLiteral("Deviation from the straight line, ") + move, QStringLiteral("mm"),
                   {trace(joint[i], "joint mode", reproduce::kVermilion, kDeviation),
                    trace(workspace[i], "workspace mode", reproduce::kBlue, kDeviation)}),
@@ -193,6 +197,8 @@ Picture pictureOf(const std::vector<MoveOutcome>& joint, const std::vector<MoveO
                   {trace(joint[i], "joint mode", reproduce::kVermilion, kSpeed),
                    trace(workspace[i], "workspace mode", reproduce::kBlue, kSpeed),
                    trace(workspace[i], "commanded", reproduce::kBlack, kPlannedSpeed)}),
+        movePlot(QStringLiteral("Settling time of each move"), QStringLiteral("s"), kQuantities[2], joint,
+                 workspace),
     };
     for (const Plot::Series& series : picture.plots[2].series)
         picture.legend.push_back(series);

@@ -48,7 +48,8 @@ TEST_F(Jog, MovesAlongItsAxisWhileHeldAndRestsWhenReleased) {
 
 TEST_F(Jog, TurnsAboutAnAxisThroughPAndThePlatformsOwnAxesTurnWithIt) {
     enable();
-    m_loop->post(RunCommand{{Eigen::Vector3d::Zero(), {0.0, 0.0, radiansFromDeg(20.0)}}, MotionMode::Workspace});
+    m_loop->post(
+        RunCommand{{Eigen::Vector3d::Zero(), {0.0, 0.0, radiansFromDeg(20.0)}}, MotionMode::Workspace});
     until(RunState::Settling);
     until(RunState::Enabled);
     const Pose before = truePose();
@@ -129,11 +130,15 @@ TEST_F(Jog, GoesAtThePartOfFullSpeedThatIsAskedFor) {
 
 TEST(JogSteps, GoInTheFrameThatIsAskedFor) {
     const Pose pose{{0.01, 0.02, 0.03}, {0.0, 0.0, radiansFromDeg(90.0)}};
-    EXPECT_LT((stepped(pose, {0, true, JogFrame::Base}, 0.001).offset - Eigen::Vector3d(0.011, 0.02, 0.03)).norm(), 1e-12);
-    EXPECT_LT((stepped(pose, {0, true, JogFrame::Platform}, 0.001).offset - Eigen::Vector3d(0.01, 0.021, 0.03)).norm(),
-              1e-12);
-    EXPECT_NEAR(stepped(pose, {5, false, JogFrame::Platform}, radiansFromDeg(1.0)).angles.gamma, radiansFromDeg(89.0),
-                1e-12);
+    EXPECT_LT(
+        (stepped(pose, {0, true, JogFrame::Base}, 0.001).offset - Eigen::Vector3d(0.011, 0.02, 0.03)).norm(),
+        1e-12);
+    EXPECT_LT(
+        (stepped(pose, {0, true, JogFrame::Platform}, 0.001).offset - Eigen::Vector3d(0.01, 0.021, 0.03))
+            .norm(),
+        1e-12);
+    EXPECT_NEAR(stepped(pose, {5, false, JogFrame::Platform}, radiansFromDeg(1.0)).angles.gamma,
+                radiansFromDeg(89.0), 1e-12);
 }
 
 } // namespace

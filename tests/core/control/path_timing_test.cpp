@@ -51,15 +51,16 @@ TEST_P(Profile, IsTheFastestAndKeepsItsLimits) {
         EXPECT_GE(state.rate, -1e-9);
         EXPECT_LE(std::abs(state.acceleration), bounds.acceleration * (1.0 + kLimitSlack));
         EXPECT_LE(std::abs(state.acceleration - last.acceleration), bounds.jerk * step * 1.01 + 1e-9);
-        EXPECT_NEAR(state.s - last.s, 0.5 * (state.rate + last.rate) * step, bounds.jerk * step * step * step + 1e-9);
+        EXPECT_NEAR(state.s - last.s, 0.5 * (state.rate + last.rate) * step,
+                    bounds.jerk * step * step * step + 1e-9);
         last = state;
     }
 }
 
 INSTANTIATE_TEST_SUITE_P(Bounds, Profile,
                          ::testing::Values(PathBounds{0.67, 2.7, 27.0}, PathBounds{10.0, 2.7, 27.0},
-                                         PathBounds{0.67, 2.7, 2.7}, PathBounds{5.0, 50.0, 10.0},
-                                         PathBounds{0.1, 5.0, 100.0}));
+                                           PathBounds{0.67, 2.7, 2.7}, PathBounds{5.0, 50.0, 10.0},
+                                           PathBounds{0.1, 5.0, 100.0}));
 
 TEST(PathTiming, BeginsAndEndsAtRestAndStaysThere) {
     const PathTiming timing({0.67, 2.7, 27.0}, unlimited);

@@ -42,7 +42,8 @@ protected:
     void until(RunState state, int atMost = 4000) {
         for (int k = 0; k < atMost && m_last.state != state; ++k)
             m_loop->cycle();
-        ASSERT_EQ(m_last.state, state) << "last event: " << (m_events.empty() ? "" : formatEvent(m_events.back()));
+        ASSERT_EQ(m_last.state, state)
+            << "last event: " << (m_events.empty() ? "" : formatEvent(m_events.back()));
     }
     /// Referenced and enabled, at home, taken over.
     void enable() {
@@ -54,7 +55,9 @@ protected:
         until(RunState::Enabled);
         m_events.clear();
     }
-    Pose truePose() const { return m_exact.solve(m_machine->trueLengths(), m_last.measuredPose.value_or(Pose{})).pose; }
+    Pose truePose() const {
+        return m_exact.solve(m_machine->trueLengths(), m_last.measuredPose.value_or(Pose{})).pose;
+    }
     bool saw(EventCode code) const {
         return std::any_of(m_events.begin(), m_events.end(), [&](const Event& e) { return e.code == code; });
     }

@@ -39,7 +39,8 @@ protected:
             const double part = std::clamp(gone.dot(line) / line.squaredNorm(), 0.0, 1.0);
             way.largestDeviation = std::max(way.largestDeviation, (gone - part * line).norm());
             if (last && m_last.commandedLengths)
-                way.largestSetStep = std::max(way.largestSetStep, (*m_last.commandedLengths - *last).cwiseAbs().maxCoeff());
+                way.largestSetStep =
+                    std::max(way.largestSetStep, (*m_last.commandedLengths - *last).cwiseAbs().maxCoeff());
             last = m_last.commandedLengths;
         }
         EXPECT_EQ(m_last.state, RunState::Enabled) << "settles";
@@ -78,7 +79,8 @@ TEST_F(WorkspaceLoop, HoldsThePoseAgainstALoadAfterTheMove) {
     m_machine->push(4, 2e-3);
     cycles(300);
     EXPECT_EQ(m_last.state, RunState::Enabled);
-    EXPECT_LT(displacement(truePose(), kTarget).head<3>().norm(), 2.5 * kResolution) << "the load is on still";
+    EXPECT_LT(displacement(truePose(), kTarget).head<3>().norm(), 2.5 * kResolution)
+        << "the load is on still";
 }
 
 TEST_F(WorkspaceLoop, SetPointsStandStillWhenThePoseIsReached) {
