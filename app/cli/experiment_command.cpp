@@ -83,7 +83,9 @@ int experimentCommand(const QStringList& words) {
          {"method", "M", "Forward method, as in 'forward'."},
          {"model", "FILE", "Regression model, as in 'forward'."},
          {"tolerance-mm", "T", "Largest residual of a solution, as in 'forward'."},
-         {"max-iterations", "N", "Most Newton iterations, as in 'forward'."}},
+         {"max-iterations", "N", "Most Newton iterations, as in 'forward'."},
+         {"steps", "N", "Steps of fsi, as in 'forward'."},
+         {"form", "F", "Form of a step of fsi, as in 'forward'."}},
         words);
     if (arguments.operand(0) != "closed-loop")
         throw InputError("experiment",

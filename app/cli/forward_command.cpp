@@ -67,11 +67,13 @@ void appendDetails(std::string& out, const PlatformGeometry& platform, const For
 int forwardCommand(const QStringList& words) {
     const Arguments arguments(
         "forward", {QStringLiteral("LENGTHS.csv")},
-        {{"method", "M", "newton, newton-as-published, mpr2, mpr3, mpr2-nr or mpr3-nr (default)."},
+        {{"method", "M", "newton, newton-as-published, mpr2, mpr3, mpr2-nr, mpr3-nr (default) or fsi."},
          {"model", "FILE", "Regression model (default: the platform's own, trained on first use)."},
          {"start", "home|previous", "Where iteration begins (default: home)."},
          {"tolerance-mm", "T", "Largest residual of a solution, mm."},
          {"max-iterations", "N", "Most Newton iterations (default: 50)."},
+         {"steps", "N", "Steps of fsi (default: 1000)."},
+         {"form", "open|closed|corrected", "Form of a step of fsi (default: corrected)."},
          {"details", "", "Also bounds of the error, condition, and standard deviations."},
          {"resolution-mm", "R", "Resolution of the lengths, for --details (default: 0.1)."}},
         words);

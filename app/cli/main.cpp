@@ -32,6 +32,7 @@ constexpr Command kCommands[] = {
     {"simulate", simulateCommand, false, "a virtual platform on a pseudo-terminal"},
     {"run", runCommand, true, "move a platform through a list of attitudes, and report"},
     {"report", reportCommand, true, "the error report of a recorded run"},
+    {"track", trackCommand, true, "the motion of a mechanism over a drive, by finite-step integration"},
     {"reproduce", reproduceCommand, true, "the published tables and figures beside measured values"},
     {"experiment", experimentCommand, true, "closed loop: joint mode against workspace mode, simulated"},
 };

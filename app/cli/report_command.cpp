@@ -48,7 +48,9 @@ int reportCommand(const QStringList& words) {
          {"method", "M", "Forward method, as in 'forward'."},
          {"model", "FILE", "Regression model, as in 'forward'."},
          {"tolerance-mm", "T", "Largest residual of a solution, as in 'forward'."},
-         {"max-iterations", "N", "Most Newton iterations, as in 'forward'."}},
+         {"max-iterations", "N", "Most Newton iterations, as in 'forward'."},
+         {"steps", "N", "Steps of fsi, as in 'forward'."},
+         {"form", "F", "Form of a step of fsi, as in 'forward'."}},
         words);
     const std::string directory = arguments.requiredText("out");
     const double resolution = metresFromMm(arguments.positive("resolution-mm", 0.1));

@@ -95,7 +95,8 @@ bool reportDeviations(const std::vector<Exhibit>& exhibits) {
 
 int reproduceCommand(const QStringList& words) {
     const Arguments arguments(
-        "reproduce", {QStringLiteral("table2|table3|table4|table5|figure3|figure5|all")},
+        "reproduce",
+        {QStringLiteral("table2|table3|table4|table5|figure3|figure5|figure13|figure15|figure16|all")},
         {{"out", "DIR", "Directory of the texts, CSV, pictures and (all) the PDF."}}, words);
     const std::string what = arguments.operand(0);
     const std::vector<ExhibitMaker> makers = chosenMakers(what);

@@ -115,7 +115,9 @@ int runCommand(const QStringList& words) {
          {"method", "M", "Forward method, as in 'forward'."},
          {"model", "FILE", "Regression model, as in 'forward'."},
          {"tolerance-mm", "T", "Largest residual of a solution, as in 'forward'."},
-         {"max-iterations", "N", "Most Newton iterations, as in 'forward'."}},
+         {"max-iterations", "N", "Most Newton iterations, as in 'forward'."},
+         {"steps", "N", "Steps of fsi, as in 'forward'."},
+         {"form", "F", "Form of a step of fsi, as in 'forward'."}},
         words);
     const std::string port = arguments.requiredText("port");
     const std::string targetsFile = arguments.requiredText("targets");

@@ -4,6 +4,7 @@
 #include "app/cli/solver_choice.h"
 
 #include "app/common/directories.h"
+#include "core/finite_step/finite_step_solver.h"
 #include "core/geometry/input_error.h"
 #include "core/geometry/units.h"
 #include "core/kinematics/forward_methods.h"
@@ -18,13 +19,17 @@ namespace hexapose {
 
 namespace {
 
+/// The one method that is not of core/kinematics.
+constexpr const char* kFiniteSteps = "fsi";
+constexpr std::int64_t kMostSteps = 10000000;
+
 const ForwardMethod& chooseMethod(const std::string& word) {
     if (const ForwardMethod* method = findForwardMethod(word))
         return *method;
     std::string known;
     for (const ForwardMethod& method : forwardMethods())
-        known += (known.empty() ? "" : ", ") + std::string(method.word);
-    throw InputError("--method", "unknown method '" + word + "' (known: " + known + ")");
+        known += std::string(method.word) + ", ";
+    throw InputError("--method", "unknown method '" + word + "' (known: " + known + kFiniteSteps + ")");
 }
 
 PolynomialModel ownModel(const PlatformGeometry& platform, const ForwardMethod& method) {
@@ -49,17 +54,44 @@ ChosenSolver withModel(const ForwardMethod& method, const PlatformGeometry& plat
     return {makeForwardSolver(method, platform, &model, options), model.fingerprint()};
 }
 
+void refuseOption(const Arguments& arguments, const char* option, const std::string& cause) {
+    if (arguments.has(option))
+        throw InputError(std::string("--") + option, cause);
+}
+
+ChosenSolver finiteStepSolver(const Arguments& arguments, const PlatformGeometry& platform) {
+    refuseOption(arguments, "model", "method fsi uses no model");
+    refuseOption(arguments, "max-iterations", "method fsi does not iterate, it takes --steps");
+    FiniteStepOptions options;
+    options.tolerance = metresFromMm(arguments.positive("tolerance-mm", 0.0));
+    options.steps = static_cast<int>(arguments.integer("steps", options.steps, 1, kMostSteps));
+    options.form = stepForm(arguments, options.form);
+    return {std::make_unique<FiniteStepSolver>(platform, options), {}};
+}
+
 } // namespace
 
+StepForm stepForm(const Arguments& arguments, StepForm fallback) {
+    const std::string word = arguments.text("form", std::string(toWord(fallback)).c_str());
+    const std::optional<StepForm> form = stepFormFromWord(word);
+    if (!form)
+        throw InputError("--form", "'" + word + "' is none of open, closed and corrected");
+    return *form;
+}
+
 ChosenSolver chooseSolver(const Arguments& arguments, const PlatformGeometry& platform) {
-    const ForwardMethod& method = chooseMethod(arguments.text("method", "mpr3-nr"));
+    const std::string word = arguments.text("method", "mpr3-nr");
+    if (word == kFiniteSteps)
+        return finiteStepSolver(arguments, platform);
+    const ForwardMethod& method = chooseMethod(word);
+    for (const char* option : {"steps", "form"})
+        refuseOption(arguments, option, "method " + word + " takes no steps");
     NewtonOptions options;
     options.tolerance = metresFromMm(arguments.positive("tolerance-mm", 0.0));
     options.maxIterations =
         static_cast<int>(arguments.integer("max-iterations", options.maxIterations, 1, 1000000));
     if (method.modelDegree == 0) {
-        if (arguments.has("model"))
-            throw InputError("--model", "method " + std::string(method.word) + " uses no model");
+        refuseOption(arguments, "model", "method " + word + " uses no model");
         return {makeForwardSolver(method, platform, nullptr, options), {}};
     }
     const PolynomialModel model = arguments.has("model")

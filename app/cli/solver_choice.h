@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/cli/arguments.h"
+#include "core/finite_step/step_form.h"
 #include "core/geometry/platform_geometry.h"
 #include "core/kinematics/forward_methods.h"
 #include "core/kinematics/forward_solver.h"
@@ -17,13 +18,16 @@ struct ChosenSolver {
     std::string modelFingerprint; ///< empty: no model
 };
 
-/// The solver of --method, --model, --tolerance-mm and --max-iterations. A method that needs a model gets the
-/// one of
-/// --model, or the platform's own, trained on first use with a progress bar on a terminal.
+/// The solver of --method, --model, --tolerance-mm, --max-iterations, --steps and --form. A method that needs
+/// a model gets the one of --model, or the platform's own, trained on first use with a progress bar on a
+/// terminal.
 ChosenSolver chooseSolver(const Arguments& arguments, const PlatformGeometry& platform);
 
 /// The solver of a method with its default options and the platform's own model.
 ChosenSolver makeDefaultSolver(const ForwardMethod& method, const PlatformGeometry& platform);
+
+/// --form of finite-step integration.
+StepForm stepForm(const Arguments& arguments, StepForm fallback);
 
 /// A progress bar on standard error, only where that is a terminal. Returns true, so that it can serve as a
 /// callback.

@@ -28,6 +28,28 @@ fs::path programDirectory() {
     return error ? fs::current_path() : program.parent_path();
 }
 
+/// A file by its path, or by its name one of those that come with the program.
+fs::path findShipped(const std::string& nameOrFile, const std::string& what, const std::string& folder,
+                     const char* option) {
+    std::error_code error;
+    if (fs::exists(nameOrFile, error))
+        return nameOrFile;
+    if (nameOrFile.empty() || nameOrFile.find('/') != std::string::npos ||
+        fs::path(nameOrFile).has_extension())
+        throw InputError(nameOrFile.empty() ? option : nameOrFile, "no such " + what + " file");
+    const fs::path bin = programDirectory();
+    const fs::path installed = bin / "../share/hexapose" / folder;
+    const fs::path sourceTree = bin / "../../../resources" / folder; // build/<preset>/bin
+    for (const fs::path& directory : {installed, sourceTree}) {
+        const fs::path file = (directory / (nameOrFile + ".toml")).lexically_normal();
+        if (fs::exists(file, error))
+            return file;
+    }
+    throw InputError(nameOrFile, "no such " + what + " file, and none of this name in " +
+                                     installed.lexically_normal().string() + " or " +
+                                     sourceTree.lexically_normal().string());
+}
+
 } // namespace
 
 fs::path cacheDirectory() {
@@ -39,23 +61,11 @@ fs::path defaultLogDirectory() {
 }
 
 fs::path findPlatformFile(const std::string& nameOrFile) {
-    std::error_code error;
-    if (fs::exists(nameOrFile, error))
-        return nameOrFile;
-    if (nameOrFile.empty() || nameOrFile.find('/') != std::string::npos ||
-        fs::path(nameOrFile).has_extension())
-        throw InputError(nameOrFile.empty() ? "--platform" : nameOrFile, "no such platform file");
-    const fs::path bin = programDirectory();
-    const fs::path installed = bin / "../share/hexapose/platforms";
-    const fs::path sourceTree = bin / "../../../resources/platforms"; // build/<preset>/bin
-    for (const fs::path& directory : {installed, sourceTree}) {
-        const fs::path file = (directory / (nameOrFile + ".toml")).lexically_normal();
-        if (fs::exists(file, error))
-            return file;
-    }
-    throw InputError(nameOrFile, "no such platform file, and none of this name in " +
-                                     installed.lexically_normal().string() + " or " +
-                                     sourceTree.lexically_normal().string());
+    return findShipped(nameOrFile, "platform", "platforms", "--platform");
+}
+
+fs::path findMechanismFile(const std::string& nameOrFile) {
+    return findShipped(nameOrFile, "mechanism", "mechanisms", "--mechanism");
 }
 
 } // namespace hexapose

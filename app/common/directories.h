@@ -14,5 +14,7 @@ std::filesystem::path defaultLogDirectory();
 /// Finds a shipped platform file by name ("laboratory") beside the program's installation, its build tree, or
 /// returns the argument itself when it names a file. Throws InputError with the places looked in.
 std::filesystem::path findPlatformFile(const std::string& nameOrFile);
+/// The same for a mechanism file ("6-ups").
+std::filesystem::path findMechanismFile(const std::string& nameOrFile);
 
 } // namespace hexapose

@@ -48,7 +48,8 @@ TEST(BadOptions, OfEveryCommand) {
         {"", {"missing command"}},
         {"fly", {"unknown command", "fly"}},
         {"--fly", {"--fly"}},
-        {"reproduce table9 --out @out", {"table9", "table2, table3, table4, table5, figure3, figure5, all"}},
+        {"reproduce table9 --out @out",
+         {"table9", "table2, table3, table4, table5, figure3, figure5, figure13, figure15, figure16, all"}},
         {"reproduce figure8 --out @out", {"figure8", "known"}},
         {"reproduce '' --out @out", {"known"}},
         {"reproduce table2 table3 --out @out", {"unexpected", "table3"}},
@@ -66,6 +67,7 @@ TEST(BadOptions, OfEveryCommand) {
                                         "simulate --protocol line",
                                         "run --port virtual --targets @poses.csv --log @log.csv",
                                         "report @recorded.csv --out @out",
+                                        "track --drive @recorded.csv --out @out",
                                         "reproduce all --out @out"};
     for (const std::string& command : good) {
         const std::string name = command.substr(0, command.find(' '));
@@ -110,7 +112,17 @@ TEST(BadOptions, OfInverseAndForward) {
         {forward + "--method magic", {"--method", "magic", "mpr3-nr"}},
         {forward + "--method Newton", {"--method", "Newton"}},
         {forward + "--method mpr4", {"--method", "mpr4"}},
-        {forward + "--method fsi", {"--method", "fsi"}},
+        {forward + "--method magic", {"mpr3-nr, fsi"}},
+        {forward + "--method fsi --steps 0", {"--steps", "0"}},
+        {forward + "--method fsi --steps -5", {"--steps", "-5"}},
+        {forward + "--method fsi --steps 1e3", {"--steps", "1e3"}},
+        {forward + "--method fsi --steps", {"steps"}},
+        {forward + "--method fsi --form ajar", {"--form", "ajar"}},
+        {forward + "--method fsi --form ''", {"--form"}},
+        {forward + "--method fsi --model @plain", {"--model", "fsi"}},
+        {forward + "--method fsi --max-iterations 5", {"--max-iterations", "--steps"}},
+        {forward + "--method newton --steps 5", {"--steps", "newton"}},
+        {forward + "--form open", {"--form", "mpr3-nr"}},
         {forward + "--start nowhere", {"--start", "nowhere"}},
         {forward + "--tolerance-mm zero", {"--tolerance-mm", "zero"}},
         {forward + "--tolerance-mm 0", {"--tolerance-mm", "0"}},
@@ -130,6 +142,50 @@ TEST(BadOptions, OfInverseAndForward) {
     };
     calls.insert(calls.end(), more.begin(), more.end());
     expectCliRefused(files, calls);
+}
+
+TEST(BadOptions, OfTrack) {
+    const Files files;
+    const std::string legs = "time_s,l1_mm,l2_mm,l3_mm,l4_mm,l5_mm,l6_mm\n";
+    const std::string home = ",299.9,299.9,299.9,299.9,299.9,299.9\n";
+    files.file("drive.csv", legs + "0" + home + "1" + home);
+    files.file("one.csv", legs + "0" + home);
+    files.file("back.csv", legs + "0" + home + "0" + home);
+    files.file("nan.csv", legs + "0" + home + "1,299.9,nan,299.9,299.9,299.9,299.9\n");
+    files.file("negative.csv", legs + "0" + home + "1,299.9,-2,299.9,299.9,299.9,299.9\n");
+    files.file("short.csv", legs + "0" + home + "1,299.9\n2" + home);
+    files.file("rate.csv", "l1_mm_per_s," + legs + "0,0" + home + "0,1" + home);
+    files.file("far.csv", legs + "0,400,320,400,320,400,320\n1" + home);
+    files.file("bad.toml", "format = 1\nname = \"no\"\n");
+    const std::string track = "track --out @out --drive ";
+    expectCliRefused(
+        files,
+        {
+            {"track --drive reference", {"--out"}},
+            {"track --out @out", {"--drive"}},
+            {track + "reference --steps 0", {"--steps", "0"}},
+            {track + "reference --steps 1000001", {"--steps"}},
+            {track + "reference --form ajar", {"--form", "ajar"}},
+            {track + "reference --rates wild", {"--rates", "wild"}},
+            {track + "reference --mechanism 7-ups", {"7-ups", "no such mechanism"}},
+            {track + "reference --mechanism ''", {"--mechanism"}},
+            {track + "reference --mechanism @bad.toml", {"@bad.toml:1:", "output"}},
+            {track + "reference --mechanism @plain", {"@plain:1:"}},
+            {track + "reference --mechanism 3-rps --platform laboratory", {"--mechanism", "--platform"}},
+            {track + "reference --platform laboratory", {"--drive", "no reference drive"}},
+            {track + "@missing.csv", {"@missing.csv"}},
+            {track + "@empty.csv", {"@empty.csv", "empty"}},
+            {track + "@lengths.csv", {"@lengths.csv:1:", "time_s"}},
+            {track + "@drive.csv --mechanism 6-pus", {"@drive.csv:1:", "s1_mm"}},
+            {track + "@one.csv", {"@one.csv", "two rows"}},
+            {track + "@back.csv", {"@back.csv:3:", "rise"}},
+            {track + "@nan.csv", {"@nan.csv:3:", "l2_mm", "nan"}},
+            {track + "@negative.csv", {"@negative.csv:3:", "l2_mm"}},
+            {track + "@short.csv", {"@short.csv:3:", "fields"}},
+            {track + "@rate.csv", {"@rate.csv:1:", "l1_mm_per_s2"}},
+            {track + "@far.csv", {"drive", "singular"}},
+            {"track --drive reference --steps 10 --out @plain/out", {"@plain"}},
+        });
 }
 
 TEST(BadOptions, ModelsThatDoNotBelongOrAreNotWhole) {

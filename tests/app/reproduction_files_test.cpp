@@ -77,6 +77,9 @@ TEST(ReproductionText, FitsTheScreenAndNamesTheMisprints) {
         return flat.find(words) != std::string::npos;
     };
     EXPECT_TRUE(says("table3", "Table 2 is the reproducible one"));
+    EXPECT_TRUE(says("figure13", "the error of the open form falls as 1/n"));
+    EXPECT_TRUE(says("figure15", "another assembly mode"));
+    EXPECT_TRUE(says("figure16", "is no such average"));
     EXPECT_TRUE(says("table5", "0.0896, is a misprint of 0.0869"));
     for (const char* name : {"table2", "table3", "table4", "figure5"})
         EXPECT_TRUE(says(name, "error is tested before the update")) << name;
@@ -84,7 +87,8 @@ TEST(ReproductionText, FitsTheScreenAndNamesTheMisprints) {
 
 TEST(ReproductionText, ListsTimesApart) {
     for (const Exhibit& exhibit : all()) {
-        const bool timed = exhibit.name == "table2" || exhibit.name == "table3";
+        const bool timed = exhibit.name == "table2" || exhibit.name == "table3" ||
+                           exhibit.name == "figure13" || exhibit.name == "figure15";
         EXPECT_EQ(!timesText(exhibit).empty(), timed);
         EXPECT_EQ(!exhibit.timesCsv.empty(), timed);
         EXPECT_EQ(exhibitText(exhibit).find("MATLAB"), std::string::npos);
@@ -92,7 +96,7 @@ TEST(ReproductionText, ListsTimesApart) {
 }
 
 TEST(ReproductionCsv, ReadsBack) {
-    const std::vector<std::size_t> rows{36, 42, 16, 6, 201, 16};
+    const std::vector<std::size_t> rows{36, 42, 16, 6, 201, 16, 54, 94, 1001};
     for (std::size_t i = 0; i < all().size(); ++i) {
         const Exhibit& exhibit = all()[i];
         SCOPED_TRACE(exhibit.name);
@@ -129,6 +133,10 @@ TEST(ReproductionFiles, AreTheSameForTheSameNumbers) {
         QSvgRenderer vector(QString::fromStdString((first / (name + ".svg")).string()));
         EXPECT_TRUE(vector.isValid());
         EXPECT_EQ(fs::exists(first / (name + "-times.csv")), !again[i].timesCsv.empty());
+        EXPECT_EQ(fs::exists(first / (name + "-times.svg")), again[i].timesPicture.has_value());
+        for (const Check& check : again[i].checks)
+            if (name.size() > 7) // of the second paper, which needs no size of its own
+                EXPECT_TRUE(check.holds()) << name << ": " << check.text();
     }
     EXPECT_THROW(writeExhibit(again.front(), directory.filePath("missing").toStdString()), InputError);
 }

@@ -101,6 +101,9 @@ INSTANTIATE_TEST_SUITE_P(
         Arrow{"core/geometry/a.cpp", "\"core/geometry/a.h\"", true},
         Arrow{"core/kinematics/a.cpp", "\"core/geometry/pose.h\"", true},
         Arrow{"core/kinematics/a.cpp", "\"core/device/byte_channel.h\"", false},
+        Arrow{"core/kinematics/a.cpp", "\"core/finite_step/leg_path.h\"", false},
+        Arrow{"core/finite_step/a.cpp", "\"core/kinematics/jacobian.h\"", true},
+        Arrow{"core/finite_step/a.cpp", "\"core/record/csv_table.h\"", false},
         Arrow{"core/device/a.cpp", "\"core/record/snapshot.h\"", false},
         // A folder's row does not open the room inside it.
         Arrow{"core/device/a.cpp", "\"core/device/serial/serial_channel.h\"", false},

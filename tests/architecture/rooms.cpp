@@ -16,7 +16,7 @@ std::vector<std::string_view> join(std::vector<std::string_view> first,
 /// What a picture may know: numbers, poses, records and reports, never a device or the loop.
 const std::vector<std::string_view> values{"core/geometry", "core/kinematics", "core/record", "core/report"};
 const std::vector<std::string_view> wholeCore =
-    join(values, {"core/device", "core/device/serial", "core/control"});
+    join(values, {"core/finite_step", "core/device", "core/device/serial", "core/control"});
 
 } // namespace
 
@@ -24,6 +24,7 @@ const std::vector<Room>& rooms() {
     static const std::vector<Room> table{
         {"core/geometry", {}},
         {"core/kinematics", {"core/geometry"}},
+        {"core/finite_step", {"core/geometry", "core/kinematics"}},
         {"core/device", {"core/geometry", "core/kinematics"}},
         {"core/device/serial", {"core/geometry", "core/device"}, withQt},
         {"core/record", {"core/geometry", "core/kinematics", "core/device"}},

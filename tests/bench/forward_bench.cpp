@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 // Time of one forward solution. Cold: start at home. Set 1: +-10 mm +-10 deg; set 2: +-40 mm +-40 deg. Warm:
 // start 0.1 mm and 0.1 deg beside the solution, in each coordinate. All to a leg residual of 1e-10 m.
+#include "core/finite_step/finite_step_solver.h"
+#include "core/finite_step/leg_path.h"
 #include "core/geometry/geometry_file.h"
 #include "core/geometry/units.h"
 #include "core/kinematics/inverse_kinematics.h"
@@ -126,6 +128,26 @@ void addRegression(const Jobs& jobs, int degree) {
         });
 }
 
+/// One step of finite-step integration, from paths of 100: the start, the rigid fit and the measure of how
+/// singular the end is are shared out among them.
+void addFiniteSteps(const Jobs& jobs) {
+    constexpr int kSteps = 100;
+    static const LegPath path(laboratory());
+    for (const StepForm form : {StepForm::Open, StepForm::Closed, StepForm::Corrected})
+        benchmark::RegisterBenchmark(
+            ("one step of FSI, " + std::string(toWord(form))).c_str(),
+            [&jobs, form](benchmark::State& state) {
+                std::size_t next = 0;
+                for (auto _ : state) {
+                    benchmark::DoNotOptimize(path.followStraight(Pose{}, jobs.lengths[next], kSteps, form).q);
+                    next = (next + 1) % kPoses;
+                }
+                state.counters["poses"] = kSteps; // the report divides by it
+            });
+    addSolver(jobs, "FSI, 100 steps, corrected",
+              std::make_shared<const FiniteStepSolver>(laboratory(), FiniteStepOptions{kSteps}));
+}
+
 /// What the vector unit can do at best.
 void addPeak() {
     benchmark::RegisterBenchmark("peak of the vector unit", [](benchmark::State& state) {
@@ -190,6 +212,7 @@ int main(int argc, char** argv) {
               std::make_shared<const NewtonAsPublished>(laboratory(), options));
     for (const int degree : {2, 3, 4})
         addRegression(sets[1], degree);
+    addFiniteSteps(sets[0]);
     addPeak();
     addTraining();
     RatioReport report;

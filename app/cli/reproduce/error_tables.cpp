@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "app/cli/reproduce/error_picture.h"
+#include "app/cli/reproduce/exhibit_text.h"
 #include "app/cli/reproduce/exhibits.h"
 #include "app/cli/reproduce/explanations.h"
 #include "app/cli/reproduce/printed.h"
@@ -103,6 +104,7 @@ void addTimes(Exhibit& exhibit, const ErrorTable& table) {
                      formatNumber(measured), row.exact ? formatNumber(seconds(*row.exact)) : ""});
     }
     exhibit.times = {block};
+    exhibit.aboutTimes = kAboutTimes;
 }
 
 Exhibit makeErrorExhibit(const Experiment& experiment, const ErrorTable& table, bool withIterations) {

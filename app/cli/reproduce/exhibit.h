@@ -5,6 +5,7 @@
 #include "app/cli/reproduce/checks.h"
 #include "ui/report/picture.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,8 @@ struct Exhibit {
     /// Seconds, which no run repeats: kept out of all that does.
     std::vector<Block> times;
     std::string timesCsv;
+    std::string aboutTimes; ///< said where they are shown
+    std::optional<Picture> timesPicture;
 };
 
 } // namespace hexapose::reproduce

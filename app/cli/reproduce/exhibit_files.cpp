@@ -18,6 +18,8 @@ void writeExhibit(const Exhibit& exhibit, const std::filesystem::path& directory
     savePicture(exhibit.picture, stem);
     if (!exhibit.timesCsv.empty())
         write("-times.csv", exhibit.timesCsv);
+    if (exhibit.timesPicture)
+        savePicture(*exhibit.timesPicture, stem.string() + "-times");
 }
 
 } // namespace hexapose::reproduce

@@ -8,8 +8,8 @@
 
 namespace hexapose::reproduce {
 
-/// NAME.txt, NAME.csv, NAME.png and NAME.svg, the same on every run, and NAME-times.csv where there are
-/// times. Throws InputError when one cannot be written.
+/// NAME.txt, NAME.csv, NAME.png and NAME.svg, the same on every run, and NAME-times.csv, .png and .svg where
+/// there are times. Throws InputError when one cannot be written.
 void writeExhibit(const Exhibit& exhibit, const std::filesystem::path& directory);
 
 } // namespace hexapose::reproduce

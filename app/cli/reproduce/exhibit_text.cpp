@@ -105,7 +105,7 @@ std::string exhibitText(const Exhibit& exhibit) {
 std::string timesText(const Exhibit& exhibit) {
     if (exhibit.times.empty())
         return {};
-    std::string text = "\n" + wrapped(kAboutTimes) + "\n";
+    std::string text = "\n" + wrapped(exhibit.aboutTimes) + "\n";
     for (const Block& block : exhibit.times)
         text += blockText(block);
     return text.substr(0, text.size() - 1);

@@ -6,9 +6,10 @@
 namespace hexapose::reproduce {
 
 const std::vector<ExhibitMaker>& exhibitMakers() {
-    static const std::vector<ExhibitMaker> makers{{"table2", makeTable2},   {"table3", makeTable3},
-                                                  {"table4", makeTable4},   {"table5", makeTable5},
-                                                  {"figure3", makeFigure3}, {"figure5", makeFigure5}};
+    static const std::vector<ExhibitMaker> makers{
+        {"table2", makeTable2},     {"table3", makeTable3},     {"table4", makeTable4},
+        {"table5", makeTable5},     {"figure3", makeFigure3},   {"figure5", makeFigure5},
+        {"figure13", makeFigure13}, {"figure15", makeFigure15}, {"figure16", makeFigure16}};
     return makers;
 }
 

@@ -15,7 +15,7 @@ struct ExhibitMaker {
     Exhibit (*make)(Experiment& experiment, const Progress& progress);
 };
 
-/// In the order of the paper.
+/// In the order of the papers.
 const std::vector<ExhibitMaker>& exhibitMakers();
 
 Exhibit makeTable2(Experiment& experiment, const Progress& progress);
@@ -24,5 +24,9 @@ Exhibit makeTable4(Experiment& experiment, const Progress& progress);
 Exhibit makeTable5(Experiment& experiment, const Progress& progress);
 Exhibit makeFigure3(Experiment& experiment, const Progress& progress);
 Exhibit makeFigure5(Experiment& experiment, const Progress& progress);
+// Of the second paper, Front. Mech. Eng. 2025, 20(1):7, on the same platform.
+Exhibit makeFigure13(Experiment& experiment, const Progress& progress);
+Exhibit makeFigure15(Experiment& experiment, const Progress& progress);
+Exhibit makeFigure16(Experiment& experiment, const Progress& progress);
 
 } // namespace hexapose::reproduce

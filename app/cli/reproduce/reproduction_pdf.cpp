@@ -93,10 +93,13 @@ private:
         m_pages.heading(QStringLiteral("Reproduction of the published tables"), 17.0);
         m_pages.rule();
         m_pages.skip(2.5);
-        m_pages.line(QStringLiteral("Paper"), 34.0,
+        m_pages.line(QStringLiteral("Papers"), 34.0,
                      QStringLiteral("Applied Sciences 2023, 13, 3082 (MPR-NR)"));
+        m_pages.line(
+            QString(), 34.0,
+            QStringLiteral("Front. Mech. Eng. 2025, 20(1):7 (finite-step integration): Figures 13 to 16"));
         m_pages.line(QStringLiteral("Platform"), 34.0,
-                     QStringLiteral("the laboratory platform, Table 1 of the paper"));
+                     QStringLiteral("the laboratory platform, Table 1 of the first paper"));
         m_pages.skip(kBetween);
         m_pages.heading(QStringLiteral("What was checked"), kHeadingPoints);
         for (const Exhibit& exhibit : m_exhibits)
@@ -193,7 +196,8 @@ QByteArray paintTwice(std::span<const Exhibit> exhibits, const PdfTitles& titles
 QByteArray reproductionPdf(std::span<const Exhibit> exhibits) {
     return paintTwice(exhibits,
                       {QStringLiteral("Reproduction of the published tables"),
-                       QStringLiteral("Reproduction of Applied Sciences 2023, 13, 3082")},
+                       QStringLiteral(
+                           "Reproduction of Applied Sciences 2023, 13, 3082, and Front. Mech. Eng. 2025, 20(1):7")},
                       true);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: MIT
 // No solver may allocate: it runs in the control cycle. The linker sends every malloc of the libraries here.
+#include "core/finite_step/finite_step_solver.h"
+#include "core/finite_step/node_path.h"
 #include "core/kinematics/forward_methods.h"
 #include "test_machines.h"
 
@@ -78,5 +80,26 @@ TEST(Allocation, NoSolverAllocates) {
             usable += solver->solve(lengths, Pose{}).isUsable() ? 1 : 0;
         EXPECT_EQ(allocations, before) << method.word;
         EXPECT_GT(usable, 0) << method.word;
+    }
+}
+
+TEST(Allocation, NoStepAllocates) {
+    const PlatformGeometry machine = laboratory();
+    const StepSystem system(mechanismOf(machine), machine.name);
+    const LegLengths fold = metres(400, 320, 400, 320, 400, 320);
+    const StraightDrive drive(system.homeDrive(), fold);
+    for (const StepForm form : {StepForm::Open, StepForm::Closed, StepForm::Corrected}) {
+        const FiniteStepSolver solver(machine, {100, form, 0.0});
+        NodePath path(system, drive, 100, form, system.homeNodes());
+        RandomPoses poses(0.06, 1.0, 63);
+        const int before = allocations;
+        int usable = 0;
+        for (int i = 0; i < 50; ++i)
+            usable += solver.solve(legLengths(machine, poses.next()), Pose{}).isUsable() ? 1 : 0;
+        usable += solver.solve(fold, Pose{}).isUsable() ? 1 : 0;
+        while (path.advance()) {
+        }
+        EXPECT_EQ(allocations, before) << toWord(form);
+        EXPECT_TRUE(usable > 0 && usable < 51 && path.isSingular());
     }
 }

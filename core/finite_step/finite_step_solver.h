@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/finite_step/leg_path.h"
+#include "core/kinematics/forward_solver.h"
+#include "core/kinematics/leg_equations.h"
+
+namespace hexapose {
+
+struct FiniteStepOptions {
+    int steps = 1000;
+    StepForm form = StepForm::Corrected;
+    double tolerance = 0.0; ///< Euclidean norm of the leg errors, m; 0: a hundredth of the machine's size
+};
+
+/// Finite-step integration as a forward solver ("fsi"; Front. Mech. Eng. 2025, 20(1):7): goes from `start` to
+/// the lengths along the straight way of the legs. Its pose is connected to `start`, which no solver can say
+/// that only looks at lengths.
+///
+/// Converged: the way was gone to its end, and the residual is within the tolerance; how near the pose is is
+/// said by the residual, for the method does not iterate. IterationLimit: more steps are needed. Singular:
+/// the way meets a singular pose; the pose is the last one reached, the residual what is left to go.
+/// NoSolution: the lengths break a triangle inequality. Iterations are steps.
+class FiniteStepSolver final : public ForwardSolver {
+public:
+    /// Throws InputError when no three platform joints span a triangle.
+    FiniteStepSolver(const PlatformGeometry& geometry, const FiniteStepOptions& options);
+    ForwardResult solve(const LegLengths& lengths, const Pose& start) const noexcept override;
+    std::string_view name() const noexcept override { return "fsi"; }
+
+private:
+    PlatformGeometry m_geometry;
+    LegEquations m_equations;
+    LegPath m_path;
+    FiniteStepOptions m_options;
+};
+
+} // namespace hexapose
