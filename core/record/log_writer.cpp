@@ -148,12 +148,12 @@ void LogWriter::Impl::remember(const Snapshot& snapshot) {
 }
 
 void LogWriter::Impl::writeFaults() {
-    std::vector<std::vector<Snapshot>> taken;
+    std::vector<std::vector<Snapshot>> records;
     {
         const std::lock_guard lock(mutex);
-        taken.swap(faults);
+        records.swap(faults);
     }
-    for (const std::vector<Snapshot>& record : taken) {
+    for (const std::vector<Snapshot>& record : records) {
         std::string rows = logHeader();
         for (const Snapshot& snapshot : record)
             appendLogRow(snapshot, rows);

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <functional>
 #include <sstream>
 
 namespace hexapose::apptest {
@@ -72,17 +73,35 @@ Outcome headless(const Scratch& scratch, const std::vector<std::string>& more,
     return process.wait();
 }
 
+/// A machine so busy that measurements wait for 200 ms stops the platform, and rightly: then once more.
+void expectWell(const std::function<Outcome(const Scratch&)>& job,
+                const std::function<void(const Outcome&, const Scratch&)>& judge) {
+    constexpr int kTries = 3;
+    for (int attempt = 1; attempt <= kTries; ++attempt) {
+        const Scratch scratch;
+        const Outcome outcome = job(scratch);
+        const bool busy = outcome.err.find("ended early") != std::string::npos;
+        if (outcome.status == 1 && busy && attempt < kTries)
+            continue;
+        return judge(outcome, scratch);
+    }
+}
+
 TEST(Console, HeadlessDoesTheJobOnTheVirtualPlatform) {
-    const Scratch scratch;
-    expectJobDone(headless(scratch, {"--virtual", "--language", "zh_CN"}, {{"LC_ALL", "de_DE.UTF-8"}}),
-                  scratch);
+    expectWell(
+        [](const Scratch& scratch) {
+            return headless(scratch, {"--virtual", "--language", "zh_CN"}, {{"LC_ALL", "de_DE.UTF-8"}});
+        },
+        expectJobDone);
 }
 
 TEST(Console, HeadlessDoesTheJobOnAMachineThatCannotReachThePublishedAttitude) {
-    const Scratch scratch;
     const Machine small = scaled(octahedral(), 0.1);
-    const std::string file = scratch.file("small.toml", small.toml());
-    expectReported(headless(scratch, {"--virtual", "--platform", file}), scratch, small);
+    expectWell(
+        [&](const Scratch& scratch) {
+            return headless(scratch, {"--virtual", "--platform", scratch.file("small.toml", small.toml())});
+        },
+        [&](const Outcome& outcome, const Scratch& scratch) { expectReported(outcome, scratch, small); });
 }
 
 TEST(Console, HeadlessDoesTheJobOnAForeignController) {

@@ -8,13 +8,10 @@
 namespace hexapose::apptest {
 
 Ran runWell(const ForeignController::Traits& traits, const ForeignController::Plan& plan,
-            const std::vector<Six>& poses, bool report) {
+            const std::vector<Six>& poses, const std::vector<std::string>& more) {
     Ran ran;
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
         ran.bench = std::make_unique<Bench>(traits, plan, poses);
-        std::vector<std::string> more;
-        if (report)
-            more = {"--report", ran.bench->scratch.path("report")};
         ran.outcome = ran.bench->run(more);
         if (ran.outcome.status == 0 || !ran.bench->controller.starved())
             break;

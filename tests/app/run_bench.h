@@ -24,9 +24,11 @@ struct Bench {
     std::vector<std::string> words(const std::string& logName = "log.csv") const {
         return {"run", "--port", scratch.path("port"), "--targets", targets, "--log", scratch.path(logName)};
     }
+    /// A word that begins with @ is a path among the scratch files.
     Outcome run(const std::vector<std::string>& more = {}) {
         std::vector<std::string> all = words();
-        all.insert(all.end(), more.begin(), more.end());
+        for (const std::string& word : more)
+            all.push_back(word.starts_with('@') ? scratch.path(word.substr(1)) : word);
         return cli(all);
     }
     RunLog log(const std::string& name = "log.csv") const { return RunLog(scratch.path(name)); }
@@ -46,7 +48,7 @@ inline constexpr int kAttempts = 3;
 /// A run that must go well. It is repeated when the machine was too busy even for the controller to keep its
 /// times.
 Ran runWell(const ForeignController::Traits& traits, const ForeignController::Plan& plan,
-            const std::vector<Six>& poses, bool report);
+            const std::vector<Six>& poses, const std::vector<std::string>& more = {});
 
 /// errors.csv of a run that went well: reached within what the resolution explains.
 void expectReached(const std::string& errorsCsv, const std::vector<Six>& targets, double withinMm);

@@ -34,7 +34,7 @@ constexpr ForeignController::Ms kHalfWatchdog{125}; ///< of the protocol's 250 m
 const Six kSecond{-6, 5, 20, 3, -2, -4};
 
 TEST(Run, ForeignControllerDoesTheJob) {
-    const Ran ran = runWell({}, {}, {kFigure7, kSecond}, true);
+    const Ran ran = runWell({}, {}, {kFigure7, kSecond}, {"--report", "@report"});
     const Bench& bench = *ran.bench;
     const Outcome& outcome = ran.outcome;
     const std::string report = bench.scratch.path("report");
@@ -82,7 +82,7 @@ TEST(Run, GoesOnThroughBadFrames) {
     traits.decimals = 3;
     Plan plan;
     plan.badEvery = 2;
-    const Ran ran = runWell(traits, plan, {kFigure7}, false);
+    const Ran ran = runWell(traits, plan, {kFigure7});
     const Bench& bench = *ran.bench;
     const Outcome& outcome = ran.outcome;
     EXPECT_EQ(outcome.status, 0) << outcome.err;

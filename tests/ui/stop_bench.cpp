@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// From the key to the STOP frame on the wire: the whole console on a pseudo-terminal, its six charts redrawing at
-// 100 Hz of feedback, while a report is being drawn and written all the time.
+// From the key to the STOP frame on the wire: the whole console on a pseudo-terminal, its six charts
+// redrawing at 100 Hz of feedback, while a report is being drawn and written all the time.
 
 #include "app/common/device_factory.h"
 #include "core/device/line_controller.h"
@@ -43,7 +43,8 @@ constexpr int kFailed = 1;
 class StopWatch {
 public:
     explicit StopWatch(const PlatformGeometry& geometry)
-        : m_controller(VirtualPlatform(geometry)), m_thread([this](const std::stop_token& stop) { run(stop); }) {}
+        : m_controller(VirtualPlatform(geometry)),
+          m_thread([this](const std::stop_token& stop) { run(stop); }) {}
 
     const std::string& path() const { return m_port.path(); }
     void mark() { m_arrived = 0; }
@@ -55,8 +56,8 @@ private:
         const Clock::time_point start = Clock::now();
         std::array<char, 4096> buffer;
         while (!stop.stop_requested()) {
-            const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(start + m_controller.nextDue() -
-                                                                                    Clock::now());
+            const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
+                start + m_controller.nextDue() - Clock::now());
             pollfd wait{m_port.pollDescriptor(), POLLIN, 0};
             ::poll(&wait, 1, static_cast<int>(std::max<std::int64_t>(left.count(), 0)));
             const std::string_view bytes(buffer.data(), m_port.read(buffer));
@@ -88,14 +89,17 @@ ErrorReport sampleReport(const PlatformGeometry& geometry, const ForwardSolver& 
 
 void show(std::vector<double> ms) {
     std::sort(ms.begin(), ms.end());
-    const auto part = [&](double p) { return ms[static_cast<std::size_t>(p * static_cast<double>(ms.size() - 1))]; };
+    const auto part = [&](double p) {
+        return ms[static_cast<std::size_t>(p * static_cast<double>(ms.size() - 1))];
+    };
     std::printf("key to STOP on the wire, %zu stops, six charts and a report being drawn:\n", ms.size());
-    std::printf("  median %.1f ms, p90 %.1f ms, p99 %.1f ms, largest %.1f ms (asked: p99 within %.0f ms)\n", part(0.5),
-                part(0.9), part(0.99), ms.back(), kAsked);
+    std::printf("  median %.1f ms, p90 %.1f ms, p99 %.1f ms, largest %.1f ms (asked: p99 within %.0f ms)\n",
+                part(0.5), part(0.9), part(0.99), ms.back(), kAsked);
 }
 
 int measure(QApplication& application) {
-    const PlatformGeometry geometry = loadPlatform(HEXAPOSE_SOURCE_DIR "/resources/platforms/laboratory.toml");
+    const PlatformGeometry geometry =
+        loadPlatform(HEXAPOSE_SOURCE_DIR "/resources/platforms/laboratory.toml");
     const auto solver = std::make_shared<const NewtonRaphson>(geometry, NewtonOptions{});
     const QTemporaryDir folder;
     StopWatch controller(geometry);

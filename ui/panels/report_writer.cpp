@@ -11,8 +11,7 @@
 
 namespace hexapose {
 
-ReportWriter::ReportWriter(QObject* parent) : QObject(parent) {
-}
+ReportWriter::ReportWriter(QObject* parent) : QObject(parent) {}
 
 ReportWriter::~ReportWriter() {
     if (m_thread) {

@@ -15,8 +15,9 @@ class QThread;
 
 namespace hexapose {
 
-/// Draws and writes the report's files on a thread of its own, so that no key waits for it, Stop least of all.
-/// The signals come on the thread of this object. Asked again while it writes, it writes the newest afterwards.
+/// Draws and writes the report's files on a thread of its own, so that no key waits for it, Stop least of
+/// all. The signals come on the thread of this object. Asked again while it writes, it writes the newest
+/// afterwards.
 class ReportWriter final : public QObject {
     Q_OBJECT
 public:

@@ -162,7 +162,7 @@ Plot movePlot(const QString& title, const QString& yLabel, const Quantity& quant
                    {QStringLiteral("workspace mode"), reproduce::kBlue, Plot::Marker::Circle, false, {}}};
     double top = 0.0;
     for (std::size_t i = 0; i < joint.size(); ++i)
-        for (const std::size_t mode : {0, 1}) {
+        for (const std::size_t mode : {std::size_t{0}, std::size_t{1}}) {
             const double value = quantity.of(mode == 0 ? joint[i] : workspace[i]);
             plot.series[mode].points.emplace_back(static_cast<double>(i) + 1.0, value);
             top = std::isfinite(value) ? std::max(top, value) : top;

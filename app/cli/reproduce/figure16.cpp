@@ -108,11 +108,13 @@ Exhibit makeFigure16(Experiment& experiment, const Progress& progress) {
         "and the exact derivatives there, in place of the paper's multibody program. The picture and the "
         "CSV are the paper's form, 1000 steps.";
     exhibit.blocks = {errorBlock(errors)};
-    exhibit.notes = {
-        "The paper takes velocity and acceleration from averages over steps. The velocity given at the beginning "
-        "is no such average: a difference from it would be wrong by half the acceleration or more, however many "
-        "steps, so the first acceleration is taken between the first two steps. From the derivatives of the step "
-        "equations both come as exact as the pose."};
+    exhibit.notes = {"The paper takes velocity and acceleration from averages over steps. The velocity given "
+                     "at the beginning "
+                     "is no such average: a difference from it would be wrong by half the acceleration or "
+                     "more, however many "
+                     "steps, so the first acceleration is taken between the first two steps. From the "
+                     "derivatives of the step "
+                     "equations both come as exact as the pose."};
     exhibit.checkRule = "the error falls by the order of the form, within 0.1";
     exhibit.checks = checksOf(errors);
     exhibit.csv = trackCsv(system, published);

@@ -194,11 +194,12 @@ QByteArray paintTwice(std::span<const Exhibit> exhibits, const PdfTitles& titles
 } // namespace
 
 QByteArray reproductionPdf(std::span<const Exhibit> exhibits) {
-    return paintTwice(exhibits,
-                      {QStringLiteral("Reproduction of the published tables"),
-                       QStringLiteral(
-                           "Reproduction of Applied Sciences 2023, 13, 3082, and Front. Mech. Eng. 2025, 20(1):7")},
-                      true);
+    return paintTwice(
+        exhibits,
+        {QStringLiteral("Reproduction of the published tables"),
+         QStringLiteral(
+             "Reproduction of Applied Sciences 2023, 13, 3082, and Front. Mech. Eng. 2025, 20(1):7")},
+        true);
 }
 
 QByteArray exhibitsPdf(std::span<const Exhibit> exhibits, const PdfTitles& titles) {
