@@ -169,7 +169,7 @@ TEST(BadOptions, OfTrack) {
             {track + "reference --rates wild", {"--rates", "wild"}},
             {track + "reference --mechanism 7-ups", {"7-ups", "no such mechanism"}},
             {track + "reference --mechanism ''", {"--mechanism"}},
-            {track + "reference --mechanism @bad.toml", {"@bad.toml:1:", "output"}},
+            {track + "reference --mechanism @bad.toml", {"@bad.toml:1:", "actuator"}},
             {track + "reference --mechanism @plain", {"@plain:1:"}},
             {track + "reference --mechanism 3-rps --platform laboratory", {"--mechanism", "--platform"}},
             {track + "reference --platform laboratory", {"--drive", "no reference drive"}},
