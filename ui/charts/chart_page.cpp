@@ -20,6 +20,7 @@ namespace hexapose {
 
 namespace {
 
+constexpr int kTurnMs = 3;       ///< between one chart and the next: what waits meanwhile comes first
 constexpr double kWindow = 10.0; // s, as Figure 7 shows some seconds
 constexpr double kLeastWindow = 1.0;
 constexpr double kLargestWindow = 120.0;
@@ -83,6 +84,8 @@ QPushButton* makeToggle(QButtonGroup& group, int id, QWidget* parent) {
 ChartPage::ChartPage(const PlatformGeometry& geometry, QWidget* parent)
     : QWidget(parent), m_geometry(geometry), m_history(kChannels), m_window(kWindow),
       m_colors(themeColors(ThemeKind::Light)) {
+    m_turn.setInterval(kTurnMs);
+    connect(&m_turn, &QTimer::timeout, this, &ChartPage::drawNext);
     build();
     setColors(m_colors);
     retranslate();
@@ -174,16 +177,38 @@ void ChartPage::refresh(double now) {
     }
 }
 
+void ChartPage::refreshInTurn(double now) {
+    if (m_frozen || m_turn.isActive()) {
+        return;
+    }
+    m_now = now;
+    m_nextChart = 0;
+    drawNext();
+    m_turn.start();
+}
+
+void ChartPage::drawNext() {
+    if (m_frozen || !isVisible() || m_nextChart >= m_charts.size()) {
+        m_turn.stop();
+        return;
+    }
+    draw(*m_charts[m_nextChart++]);
+}
+
 void ChartPage::draw() {
     if (!isVisible()) {
         return;
     }
+    for (TimeChart* chart : m_charts) {
+        draw(*chart);
+    }
+}
+
+void ChartPage::draw(TimeChart& chart) {
     const ChartHistory& shown = m_frozen ? *m_frozen : m_history;
     const double to = std::max(m_now, m_window);
-    for (TimeChart* chart : m_charts) {
-        chart->showWindow(shown, to - m_window, to);
-        chart->showCursor(shown, m_cursor);
-    }
+    chart.showWindow(shown, to - m_window, to);
+    chart.showCursor(shown, m_cursor);
 }
 
 void ChartPage::setPaused(bool paused) {

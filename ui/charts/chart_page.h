@@ -7,6 +7,7 @@
 #include "ui/charts/chart_history.h"
 #include "ui/charts/time_chart.h"
 
+#include <QTimer>
 #include <QWidget>
 
 #include <array>
@@ -29,8 +30,11 @@ public:
     /// Takes fresh measurements in; stale stretches become gaps.
     void add(const Snapshot& snapshot);
     void clear();
-    /// Draws; call it on the display tick. `now`: session time, s.
+    /// Draws all at once. `now`: session time, s.
     void refresh(double now);
+    /// Draws one chart after the other, so that a key, Stop's above all, never waits for more than one. What
+    /// is still to be drawn when it is called again is drawn first.
+    void refreshInTurn(double now);
 
     void setSubject(Subject subject);
     Subject subject() const { return m_subject; }
@@ -49,6 +53,8 @@ private:
     void applySubject();
     void retranslate();
     void draw();
+    void draw(TimeChart& chart);
+    void drawNext();
     ChartSubject describe(std::size_t index) const;
 
     PlatformGeometry m_geometry;
@@ -58,6 +64,8 @@ private:
     Subject m_subject = Subject::Attitude;
     double m_window;
     double m_now = 0.0;
+    QTimer m_turn;
+    std::size_t m_nextChart = 0; ///< to be drawn in its turn
     std::optional<double> m_cursor;
     bool m_gap = true;
     QButtonGroup* m_subjects;

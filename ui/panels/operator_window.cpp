@@ -196,7 +196,7 @@ void OperatorWindow::showLatest() {
     m_target->setConnected(linked);
     m_report->setConnected(commandable);
     if (++m_tickCount % kChartsEvery == 0) {
-        m_charts->refresh(seconds(m_latest.time));
+        m_charts->refreshInTurn(seconds(m_latest.time));
     }
 }
 

@@ -7,9 +7,21 @@
 #include <QThread>
 
 #include <exception>
+#include <sys/resource.h>
+#include <unistd.h>
 #include <utility>
 
 namespace hexapose {
+
+namespace {
+
+/// Drawing can wait; the loop and the screen cannot.
+void giveWay() {
+    constexpr int kNice = 10;
+    setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNice);
+}
+
+} // namespace
 
 ReportWriter::ReportWriter(QObject* parent) : QObject(parent) {}
 
@@ -31,6 +43,7 @@ void ReportWriter::write(const ErrorReport& report, const QString& folder) {
 void ReportWriter::start(Job job) {
     // The signals are emitted over there and carried over to the receivers' thread.
     m_thread.reset(QThread::create([this, job = std::make_shared<const Job>(std::move(job))] {
+        giveWay();
         try {
             QStringList files;
             for (const auto& file : exportErrorReport(job->report, job->folder.toStdString())) {
@@ -43,7 +56,7 @@ void ReportWriter::start(Job job) {
     }));
     m_thread->setObjectName(QStringLiteral("report"));
     connect(m_thread.get(), &QThread::finished, this, &ReportWriter::finish);
-    m_thread->start(QThread::LowPriority);
+    m_thread->start();
 }
 
 void ReportWriter::finish() {

@@ -82,6 +82,22 @@ TEST_F(ChartPageTest, GrowsWhenDataLeavesTheRangeAndComesBack) {
     EXPECT_EQ(page.charts()[0]->verticalRange().high, 40.0);
 }
 
+TEST_F(ChartPageTest, DrawsInTurnSoThatAKeyNeedNotWaitForAll) {
+    feed(0.0, 1.0, 0.010);
+    Snapshot turned;
+    turned.time = std::chrono::milliseconds(1010);
+    turned.fresh = true;
+    turned.stale = false;
+    turned.measuredPose = Pose{{0.055, 0.0, 0.0}, {0.0, 0.0, 0.5}};
+    page.add(turned);
+    page.refreshInTurn(1.02);
+    const auto gamma = [this] { return page.charts()[5]->verticalRange(); };
+    EXPECT_GT(page.charts()[0]->verticalRange().high, 40.0) << "the first at once";
+    EXPECT_EQ(gamma(), (AxisRange{-10.0, 10.0, 5.0})) << "the last not yet";
+    constexpr int kPatienceMs = 20000;
+    EXPECT_TRUE(QTest::qWaitFor([&] { return gamma().high > 10.0; }, kPatienceMs));
+}
+
 TEST_F(ChartPageTest, PauseHoldsThePictureWhileRecordingGoesOn) {
     feed(0.0, 1.0, 0.010);
     press("Pause");
