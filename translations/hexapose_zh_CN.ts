@@ -410,6 +410,232 @@
         <source>Stopped: leg %1 is %2 mm from its set-point, more than %3 mm</source>
         <translation>已停止：支腿 %1 与设定值相差 %2 mm，超过 %3 mm</translation>
     </message>
+    <message>
+        <source>Wait until the motion is over.</source>
+        <translation>请等待运动结束。</translation>
+    </message>
+    <message>
+        <source>Press Enable first; a jog does not put the drives on.</source>
+        <translation>请先按“使能”；点动不会打开驱动。</translation>
+    </message>
+    <message>
+        <source>Wait until the motion is over, or press Stop.</source>
+        <translation>请等待运动结束，或按“停止”。</translation>
+    </message>
+    <message>
+        <source>Nothing moved. Go there in smaller steps or in the other mode.</source>
+        <translation>未产生运动。请分小步到达，或改用另一种模式。</translation>
+    </message>
+    <message>
+        <source>The jog came to rest before a limit</source>
+        <translation>点动在极限前停下</translation>
+    </message>
+    <message>
+        <source>Jog the other way, or along another axis.</source>
+        <translation>请反向点动，或沿其他轴点动。</translation>
+    </message>
+    <message>
+        <source>Jog started</source>
+        <translation>点动开始</translation>
+    </message>
+</context>
+<context>
+    <name>hexapose::GuidedTestPanel</name>
+    <message>
+        <source>Guided test</source>
+        <translation>引导测试</translation>
+    </message>
+    <message>
+        <source>Go to the attitude of the published test, wait until it has settled, average the lengths for 1 s, solve and compare; the platform moves</source>
+        <translation>运动到论文实验的姿态，等待稳定，将杆长平均 1 s，求解并比较；平台会运动</translation>
+    </message>
+    <message>
+        <source>Move to the attitude</source>
+        <translation>运动到测试姿态</translation>
+    </message>
+    <message>
+        <source>Wait until it has settled</source>
+        <translation>等待稳定</translation>
+    </message>
+    <message>
+        <source>Average the lengths for 1 s</source>
+        <translation>将杆长平均 1 s</translation>
+    </message>
+    <message>
+        <source>Solve and compare</source>
+        <translation>求解并比较</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>实测</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>误差</translation>
+    </message>
+    <message>
+        <source>expected</source>
+        <translation>预期</translation>
+    </message>
+    <message>
+        <source>The largest error that the 0.1 mm resolution of the lengths explains</source>
+        <translation>由 0.1 mm 杆长分辨率所能解释的最大误差</translation>
+    </message>
+    <message>
+        <source>mean lengths, mm</source>
+        <translation>平均杆长，mm</translation>
+    </message>
+    <message>
+        <source>Test target %1</source>
+        <translation>测试目标 %1</translation>
+    </message>
+    <message>
+        <source>Test measured %1</source>
+        <translation>测试实测 %1</translation>
+    </message>
+    <message>
+        <source>Test error %1</source>
+        <translation>测试误差 %1</translation>
+    </message>
+    <message>
+        <source>Test expected error %1</source>
+        <translation>测试预期误差 %1</translation>
+    </message>
+    <message>
+        <source>Test length %1</source>
+        <translation>测试杆长 %1</translation>
+    </message>
+    <message>
+        <source>Test progress</source>
+        <translation>测试进度</translation>
+    </message>
+    <message>
+        <source>Moves to the attitude of the published test, measures it and compares</source>
+        <translation>运动到论文实验的姿态，测量并比较</translation>
+    </message>
+    <message>
+        <source>Ended: the connection was closed</source>
+        <translation>已结束：连接已关闭</translation>
+    </message>
+    <message>
+        <source>No attitude of this test can be reached from here. Nothing moved.</source>
+        <translation>从当前位姿无法到达此测试的任何姿态。未产生运动。</translation>
+    </message>
+    <message>
+        <source>The test is under way; Stop ends it</source>
+        <translation>测试进行中；按“停止”可结束</translation>
+    </message>
+    <message>
+        <source>Ended early: %1</source>
+        <translation>提前结束：%1</translation>
+    </message>
+    <message>
+        <source>Done: %1 measurements averaged; solution: %2</source>
+        <translation>完成：已平均 %1 次测量；求解：%2</translation>
+    </message>
+    <message>
+        <source>Ended by Stop. Press Clear before the next one.</source>
+        <translation>已由“停止”结束。下次测试前请先按“清除”。</translation>
+    </message>
+    <message>
+        <source>Ended: another motion was asked for</source>
+        <translation>已结束：请求了其他运动</translation>
+    </message>
+</context>
+<context>
+    <name>hexapose::JogPanel</name>
+    <message>
+        <source>Moves while a button is held. Keys, with the focus here: arrows for x and y, page up and down for z, with Shift about them</source>
+        <translation>按住按钮时运动。焦点在此处时可用键盘：方向键为 x 和 y，PgUp/PgDn 为 z，加 Shift 为绕各轴转动</translation>
+    </message>
+    <message>
+        <source>One step a click, or a key: arrows for x and y, page up and down for z, with Shift about them</source>
+        <translation>每次点击或按键走一步：方向键为 x 和 y，PgUp/PgDn 为 z，加 Shift 为绕各轴转动</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>坐标系</translation>
+    </message>
+    <message>
+        <source>Jog frame</source>
+        <translation>点动坐标系</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>基座</translation>
+    </message>
+    <message>
+        <source>Platform</source>
+        <translation>平台</translation>
+    </message>
+    <message>
+        <source>Along and about the axes of the base, or those of the platform as it stands</source>
+        <translation>沿基座各轴，或沿平台当前各轴移动和转动</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>步长</translation>
+    </message>
+    <message>
+        <source>Jog step</source>
+        <translation>点动步长</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>按住</translation>
+    </message>
+    <message>
+        <source>Hold: as long as a button is held. A number: so many mm or degrees a click</source>
+        <translation>按住：按住按钮期间一直运动。数值：每次点击运动的毫米数或度数</translation>
+    </message>
+    <message>
+        <source>Jog keys</source>
+        <translation>点动按键区</translation>
+    </message>
+    <message>
+        <source>Keys, with the focus here: left and right x, down and up y, page down and page up z; with Shift alpha, beta, gamma. Letting go ends the motion.</source>
+        <translation>焦点在此处时可用键盘：左右键 x，下上键 y，PgDn/PgUp z；加 Shift 为 alpha、beta、gamma。松开即停止运动。</translation>
+    </message>
+    <message>
+        <source>Jog -%1</source>
+        <translation>点动 -%1</translation>
+    </message>
+    <message>
+        <source>Jog +%1</source>
+        <translation>点动 +%1</translation>
+    </message>
+    <message>
+        <source>How far it can go this way from the present pose</source>
+        <translation>从当前位姿沿此方向还能运动多远</translation>
+    </message>
+    <message>
+        <source>Jog hint</source>
+        <translation>点动提示</translation>
+    </message>
+    <message>
+        <source>range left</source>
+        <translation>剩余范围</translation>
+    </message>
+    <message>
+        <source>Connect first; a jog needs the drives on</source>
+        <translation>请先连接；点动需要驱动打开</translation>
+    </message>
+    <message>
+        <source>Press Reference and Enable first; a jog needs the drives on</source>
+        <translation>请先按“回参考点”和“使能”；点动需要驱动打开</translation>
+    </message>
+    <message>
+        <source>Press Clear and Enable first; a jog needs the drives on</source>
+        <translation>请先按“清除”和“使能”；点动需要驱动打开</translation>
+    </message>
+    <message>
+        <source>Press Enable first; a jog needs the drives on</source>
+        <translation>请先按“使能”；点动需要驱动打开</translation>
+    </message>
 </context>
 <context>
     <name>hexapose::LegsPanel</name>
@@ -448,6 +674,61 @@
     <message>
         <source>Leg %1 within its stroke</source>
         <translation>支腿 %1 行程内位置</translation>
+    </message>
+</context>
+<context>
+    <name>hexapose::MotionPanel</name>
+    <message>
+        <source>Motion</source>
+        <translation>运动</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>模式</translation>
+    </message>
+    <message>
+        <source>Joint</source>
+        <translation>关节空间</translation>
+    </message>
+    <message>
+        <source>Workspace</source>
+        <translation>工作空间</translation>
+    </message>
+    <message>
+        <source>Joint: each leg on a straight path in its length. Workspace: the platform on a straight path, the loop closed on its measured pose. Changing it moves nothing.</source>
+        <translation>关节空间：各支腿长度按直线变化。工作空间：平台沿直线路径运动，以实测位姿闭环。切换模式不会产生运动。</translation>
+    </message>
+    <message>
+        <source>Ways to move</source>
+        <translation>运动方式</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>Jog</source>
+        <translation>点动</translation>
+    </message>
+    <message>
+        <source>Way-points</source>
+        <translation>路径点</translation>
+    </message>
+    <message>
+        <source>Test</source>
+        <translation>测试</translation>
+    </message>
+    <message>
+        <source>Stop  (Esc)</source>
+        <translation>停止 (Esc)</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Stop the motion (Esc). This is not the emergency stop of the machine.</source>
+        <translation>停止运动（Esc）。这不是设备的急停。</translation>
     </message>
 </context>
 <context>
@@ -585,6 +866,18 @@
     <message>
         <source>Expected error %1</source>
         <translation>预期误差 %1</translation>
+    </message>
+    <message>
+        <source>Singularity q</source>
+        <translation>奇异度 q</translation>
+    </message>
+    <message>
+        <source>Singularity bar</source>
+        <translation>奇异度条</translation>
+    </message>
+    <message>
+        <source>Distance from a singular pose: 1 at home, 0 where the platform cannot be held. Amber below 0.2, red below 0.05.</source>
+        <translation>与奇异位姿的距离：零位为 1，平台无法保持处为 0。低于 0.2 为琥珀色，低于 0.05 为红色。</translation>
     </message>
 </context>
 <context>
@@ -749,6 +1042,52 @@
     </message>
 </context>
 <context>
+    <name>hexapose::SettleLine</name>
+    <message>
+        <source>inside %1 mm and %2° for %3 s</source>
+        <translation>在 %1 mm 和 %2° 以内持续 %3 s</translation>
+    </message>
+    <message>
+        <source>each leg inside %1 mm for %2 s</source>
+        <translation>各支腿在 %1 mm 以内持续 %2 s</translation>
+    </message>
+    <message>
+        <source>Moving</source>
+        <translation>运动中</translation>
+    </message>
+    <message>
+        <source>Not settled yet: %1</source>
+        <translation>尚未稳定：%1</translation>
+    </message>
+    <message>
+        <source>Settled: %1</source>
+        <translation>已稳定：%1</translation>
+    </message>
+    <message>
+        <source>Settled</source>
+        <translation>稳定状态</translation>
+    </message>
+</context>
+<context>
+    <name>hexapose::SpeedControl</name>
+    <message>
+        <source>held</source>
+        <translation>保持</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>速度</translation>
+    </message>
+    <message>
+        <source>Part of full speed for everything that moves, also in mid-move</source>
+        <translation>所有运动相对全速的比例，运动中也可更改</translation>
+    </message>
+    <message>
+        <source>Speed in force</source>
+        <translation>当前速度</translation>
+    </message>
+</context>
+<context>
     <name>hexapose::StatusPanel</name>
     <message>
         <source>State</source>
@@ -869,10 +1208,6 @@
         <translation>目标 %1 不是数字</translation>
     </message>
     <message>
-        <source>Target</source>
-        <translation>目标</translation>
-    </message>
-    <message>
         <source>Target x</source>
         <translation>目标 x</translation>
     </message>
@@ -925,18 +1260,6 @@
         <translation>运动到目标；必要时先回参考点并使能</translation>
     </message>
     <message>
-        <source>Stop</source>
-        <translation>停止</translation>
-    </message>
-    <message>
-        <source>Stop the motion (Esc). This is not the emergency stop of the machine.</source>
-        <translation>停止运动（Esc）。这不是设备的急停。</translation>
-    </message>
-    <message>
-        <source>Stop  (Esc)</source>
-        <translation>停止 (Esc)</translation>
-    </message>
-    <message>
         <source>Reset</source>
         <translation>复位</translation>
     </message>
@@ -980,10 +1303,6 @@
         <translation>支腿会导向与目标不同的位姿</translation>
     </message>
     <message>
-        <source>The path comes too close to a singular pose at %1 % of the way</source>
-        <translation>路径在 %1 % 处过于接近奇异位姿</translation>
-    </message>
-    <message>
         <source>Leg %1 would be above its maximum</source>
         <translation>支腿 %1 将超过上限</translation>
     </message>
@@ -994,6 +1313,229 @@
     <message>
         <source>Too close to a singular pose</source>
         <translation>过于接近奇异位姿</translation>
+    </message>
+    <message>
+        <source>%1 would be %2, outside its allowed ±%3</source>
+        <translation>%1 将为 %2，超出允许的 ±%3</translation>
+    </message>
+    <message>
+        <source>Leg %1 would move at %2 mm/s, faster than its %3 mm/s</source>
+        <translation>支腿 %1 速度将为 %2 mm/s，超过其 %3 mm/s</translation>
+    </message>
+    <message>
+        <source>Leg %1 would accelerate by %2 mm/s², more than its %3 mm/s²</source>
+        <translation>支腿 %1 加速度将为 %2 mm/s²，超过其 %3 mm/s²</translation>
+    </message>
+    <message>
+        <source>%1, at %2 % of the way</source>
+        <translation>%1（位于路径 %2 % 处）</translation>
+    </message>
+    <message>
+        <source>The path comes too close to a singular pose</source>
+        <translation>路径过于接近奇异位姿</translation>
+    </message>
+    <message>
+        <source>Beyond the singular poses: q would be %1, at least %2 is needed</source>
+        <translation>越过奇异位姿：q 将为 %1，至少需要 %2</translation>
+    </message>
+    <message>
+        <source>Leg %1 would move too fast</source>
+        <translation>支腿 %1 将运动过快</translation>
+    </message>
+    <message>
+        <source>Leg %1 would accelerate too hard</source>
+        <translation>支腿 %1 加速度将过大</translation>
+    </message>
+    <message>
+        <source>%1 would be outside its allowed range</source>
+        <translation>%1 将超出允许范围</translation>
+    </message>
+    <message>
+        <source>Beyond the singular poses</source>
+        <translation>越过奇异位姿</translation>
+    </message>
+</context>
+<context>
+    <name>hexapose::WayPointsPanel</name>
+    <message>
+        <source>Save the way-points</source>
+        <translation>保存路径点</translation>
+    </message>
+    <message>
+        <source>Load way-points</source>
+        <translation>载入路径点</translation>
+    </message>
+    <message>
+        <source>Attitudes (*.csv);;All files (*)</source>
+        <translation>姿态 (*.csv);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Way-points</source>
+        <translation>路径点</translation>
+    </message>
+    <message>
+        <source>x y z in mm, alpha beta gamma in degrees; a double click edits</source>
+        <translation>x y z 单位 mm，alpha beta gamma 单位度；双击可编辑</translation>
+    </message>
+    <message>
+        <source>+ Measured</source>
+        <translation>+ 实测</translation>
+    </message>
+    <message>
+        <source>Add measured</source>
+        <translation>添加实测</translation>
+    </message>
+    <message>
+        <source>Add the measured pose; nothing moves</source>
+        <translation>添加实测位姿；不会产生运动</translation>
+    </message>
+    <message>
+        <source>+ Target</source>
+        <translation>+ 目标</translation>
+    </message>
+    <message>
+        <source>Add target</source>
+        <translation>添加目标</translation>
+    </message>
+    <message>
+        <source>Add the pose of the target&apos;s fields; nothing moves</source>
+        <translation>添加目标栏中的位姿；不会产生运动</translation>
+    </message>
+    <message>
+        <source>Load...</source>
+        <translation>载入...</translation>
+    </message>
+    <message>
+        <source>From CSV: columns x_mm, y_mm, z_mm, alpha_deg, beta_deg, gamma_deg</source>
+        <translation>来自 CSV：列 x_mm、y_mm、z_mm、alpha_deg、beta_deg、gamma_deg</translation>
+    </message>
+    <message>
+        <source>Save...</source>
+        <translation>保存...</translation>
+    </message>
+    <message>
+        <source>Save way-points</source>
+        <translation>保存路径点</translation>
+    </message>
+    <message>
+        <source>As CSV, of the same columns</source>
+        <translation>存为 CSV，列相同</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>播放</translation>
+    </message>
+    <message>
+        <source>Visit them all, from the first; the platform moves</source>
+        <translation>从第一个起依次到达全部路径点；平台会运动</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Pause motion</source>
+        <translation>暂停运动</translation>
+    </message>
+    <message>
+        <source>Hold the motion on its path; press again to go on</source>
+        <translation>在路径上保持；再按一次继续</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>单步</translation>
+    </message>
+    <message>
+        <source>Go to the next one only; the platform moves</source>
+        <translation>只到下一个路径点；平台会运动</translation>
+    </message>
+    <message>
+        <source>Remove way-point</source>
+        <translation>删除路径点</translation>
+    </message>
+    <message>
+        <source>Remove the chosen row</source>
+        <translation>删除所选行</translation>
+    </message>
+    <message>
+        <source>Move up</source>
+        <translation>上移</translation>
+    </message>
+    <message>
+        <source>Move the chosen row up</source>
+        <translation>上移所选行</translation>
+    </message>
+    <message>
+        <source>Move down</source>
+        <translation>下移</translation>
+    </message>
+    <message>
+        <source>Move the chosen row down</source>
+        <translation>下移所选行</translation>
+    </message>
+    <message>
+        <source>Way-point progress</source>
+        <translation>路径点进度</translation>
+    </message>
+    <message>
+        <source>Add poses, or load them; nothing moves until Play or Step</source>
+        <translation>请添加或载入位姿；按“播放”或“单步”前不会产生运动</translation>
+    </message>
+    <message>
+        <source>Ended at way-point %1: the connection was closed</source>
+        <translation>在路径点 %1 处结束：连接已关闭</translation>
+    </message>
+    <message>
+        <source>Row %1: %2 is not a number. Nothing moved.</source>
+        <translation>第 %1 行：%2 不是数字。未产生运动。</translation>
+    </message>
+    <message>
+        <source>Row %1: %2. Nothing moved.</source>
+        <translation>第 %1 行：%2。未产生运动。</translation>
+    </message>
+    <message>
+        <source>To way-point %1 of %2</source>
+        <translation>前往路径点 %1 / %2</translation>
+    </message>
+    <message>
+        <source>Ended at way-point %1: %2</source>
+        <translation>在路径点 %1 处结束：%2</translation>
+    </message>
+    <message>
+        <source>All %1 way-points visited</source>
+        <translation>已到达全部 %1 个路径点</translation>
+    </message>
+    <message>
+        <source>At way-point %1</source>
+        <translation>已到达路径点 %1</translation>
+    </message>
+    <message>
+        <source>Stopped on the way to way-point %1. Press Clear, then Play or Step.</source>
+        <translation>在前往路径点 %1 途中停止。请按“清除”，再按“播放”或“单步”。</translation>
+    </message>
+    <message>
+        <source>Ended at way-point %1: another motion was asked for</source>
+        <translation>在路径点 %1 处结束：请求了其他运动</translation>
+    </message>
+    <message>
+        <source>%1 way-points from %2</source>
+        <translation>%2 中的 %1 个路径点</translation>
+    </message>
+    <message>
+        <source>The list cannot be used: %1</source>
+        <translation>无法使用该列表：%1</translation>
+    </message>
+    <message>
+        <source>Row %1 holds something that is no number; nothing was saved</source>
+        <translation>第 %1 行含有不是数字的内容；未保存</translation>
+    </message>
+    <message>
+        <source>Saved as %1</source>
+        <translation>已保存为 %1</translation>
+    </message>
+    <message>
+        <source>The list cannot be saved: %1</source>
+        <translation>无法保存列表：%1</translation>
     </message>
 </context>
 <context>
@@ -1025,6 +1567,40 @@
     <message>
         <source>&amp;Dark</source>
         <translation>深色(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>按键</translation>
+    </message>
+    <message>
+        <source>Esc: Stop, wherever the focus is.
+
+Jog, with the focus on its buttons, for as long as the key is held:
+left and right: x
+down and up: y
+page down and page up: z
+with Shift: alpha, beta, gamma
+space: the button with the focus
+
+A second key, another window or a menu ends the motion.</source>
+        <translation>Esc：停止，无论焦点在何处。
+
+点动：焦点在点动按钮上时，按住按键期间运动：
+左、右：x
+下、上：y
+PgDn、PgUp：z
+加 Shift：alpha、beta、gamma
+空格：焦点所在的按钮
+
+按下第二个键、切换窗口或打开菜单都会结束运动。</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>帮助(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Keys...</source>
+        <translation>按键(&amp;K)...</translation>
     </message>
 </context>
 </TS>

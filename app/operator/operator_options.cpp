@@ -162,7 +162,8 @@ std::string operatorHelp() {
            "  --headless        without a display: run one move and a report of three attitudes, print\n"
            "                    the paths of log, report and picture\n"
            "  --output DIR      where the headless run puts report and picture (beside the log)\n"
-           "  --help, --version\n";
+           "  --help, --version\n\n"
+           "Esc stops the motion wherever the focus is; the other keys are told under Help, Keys.\n";
 }
 
 void requireWritable(const std::filesystem::path& directory, const std::string& option) {

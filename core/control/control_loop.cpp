@@ -24,6 +24,18 @@ constexpr double kGapOfFollowing = 0.5; ///< a set-point goes so far ahead of it
 constexpr double kRestOfWindow = 0.5;   ///< an error so small is not corrected any more, of the settle window
 constexpr std::chrono::milliseconds kShutDownWithin{1500}; ///< a disabling is repeated for so long
 
+WorkspaceOptions workspaceOptions(const ControlOptions& options) {
+    WorkspaceOptions workspace;
+    workspace.gain = options.gain;
+    workspace.legSpeed = options.bounds.legSpeed;
+    workspace.gapLimit = kGapOfFollowing * options.followingLimit;
+    workspace.restDistance = kRestOfWindow * options.settleWindow.distance;
+    workspace.restAngle = kRestOfWindow * options.settleWindow.angle;
+    return workspace;
+}
+
+} // namespace
+
 ControlOptions completed(ControlOptions options, const PlatformGeometry& geometry) {
     options.bounds = completed(options.bounds, geometry);
     double stroke = 0.0;
@@ -38,18 +50,6 @@ ControlOptions completed(ControlOptions options, const PlatformGeometry& geometr
             std::max(kFollowingOfSize * geometry.size(), kOrdinaryLag * options.bounds.legSpeed);
     return options;
 }
-
-WorkspaceOptions workspaceOptions(const ControlOptions& options) {
-    WorkspaceOptions workspace;
-    workspace.gain = options.gain;
-    workspace.legSpeed = options.bounds.legSpeed;
-    workspace.gapLimit = kGapOfFollowing * options.followingLimit;
-    workspace.restDistance = kRestOfWindow * options.settleWindow.distance;
-    workspace.restAngle = kRestOfWindow * options.settleWindow.angle;
-    return workspace;
-}
-
-} // namespace
 
 ControlLoop::Impl::Impl(PlatformDevice& theDevice, const PlatformGeometry& theGeometry,
                         const ForwardSolver& theSolver, const ControlOptions& theOptions, Sink theSink,

@@ -36,6 +36,9 @@ struct ControlOptions {
     std::chrono::milliseconds referenceTimeout{120000}; ///< for the referencing before a move
 };
 
+/// What is not given, filled in from the machine: the bounds, the settle window, the following limit.
+ControlOptions completed(ControlOptions options, const PlatformGeometry& geometry);
+
 /// The control loop: one cycle is commands -> set-points -> exchange -> forward solution -> judgement ->
 /// Snapshot. One thread owns it and calls cycle(); post() may be called from any thread.
 class ControlLoop {

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/control/jog.h"
 #include "core/control/limits.h"
+#include "ui/panels/move_judge.h"
 
 #include <optional>
 #include <utility>
@@ -13,5 +15,9 @@ namespace hexapose {
 /// when the pose itself is out of the limits.
 std::optional<std::pair<double, double>>
 axisRange(const PlatformGeometry& geometry, const MotionLimits& limits, const Pose& pose, int coordinate);
+
+/// How far (m or rad, not below 0) a jog can go one way from a pose; nothing when the pose itself is out of
+/// the limits.
+std::optional<double> jogRange(const MoveJudge& judge, const Pose& pose, const JogDirection& direction);
 
 } // namespace hexapose

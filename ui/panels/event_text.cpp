@@ -53,6 +53,18 @@ QString refusalDetail(const Event& event) {
     return state ? stateText(*state) : detailOf(event);
 }
 
+/// What has to come before a command that the present state does not allow.
+QString refusalAdvice(const Event& event) {
+    const bool down = event.detail.ends_with(" in stopped") || event.detail.ends_with(" in fault");
+    const bool moving = event.detail.ends_with(" in moving") || event.detail.ends_with(" in settling");
+    if (event.detail.starts_with("jog") && !down) {
+        return moving ? EventWords::tr("Wait until the motion is over.")
+                      : EventWords::tr("Press Enable first; a jog does not put the drives on.");
+    }
+    return moving ? EventWords::tr("Wait until the motion is over, or press Stop.")
+                  : EventWords::tr("After a stop or a fault press Clear first.");
+}
+
 QString controllerStateDetail(const Event& event) {
     if (event.detail == "S") {
         return stateText(RunState::Stopped);
@@ -159,7 +171,10 @@ EventText refusalText(const Event& event) {
     switch (event.code) {
     case EventCode::MoveRefused:
         return {withDetail(EventWords::tr("The move was refused"), moveRefusal(event)),
-                EventWords::tr("Nothing moved. Change the target."), Tone::Warn};
+                liesOnTheWay(detailOf(event))
+                    ? EventWords::tr("Nothing moved. Go there in smaller steps or in the other mode.")
+                    : EventWords::tr("Nothing moved. Change the target."),
+                Tone::Warn};
     case EventCode::PreparationFailed:
         return {withDetail(EventWords::tr("The move did not begin: the platform could not be made ready"),
                            detailOf(event)),
@@ -170,7 +185,11 @@ EventText refusalText(const Event& event) {
     case EventCode::CommandRefused:
         return {withDetail(EventWords::tr("The command cannot be carried out in this state"),
                            refusalDetail(event)),
-                EventWords::tr("After a stop or a fault press Clear first."), Tone::Warn};
+                refusalAdvice(event), Tone::Warn};
+    case EventCode::JogLimited:
+        return {withDetail(EventWords::tr("The jog came to rest before a limit"),
+                           verdictTextFromWords(detailOf(event))),
+                EventWords::tr("Jog the other way, or along another axis."), Tone::Warn};
     case EventCode::NotSettled:
         return {EventWords::tr("The legs had not settled after %1 s").arg(fixed(event.value, 1)),
                 EventWords::tr("Look at the leg errors: load, friction or a drive's gain may be the cause."),
@@ -195,6 +214,8 @@ EventText progressText(const Event& event) {
         return {EventWords::tr("Disabled"), {}, Tone::Idle};
     case EventCode::MoveStarted:
         return {EventWords::tr("Move started, %1 s planned").arg(fixed(event.value, 1)), {}, Tone::Idle};
+    case EventCode::JogStarted:
+        return {EventWords::tr("Jog started"), {}, Tone::Idle};
     case EventCode::Settled:
         return {EventWords::tr("Settled after %1 s").arg(fixed(event.value, 1)), {}, Tone::Good};
     case EventCode::Cleared:

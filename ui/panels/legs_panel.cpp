@@ -6,6 +6,7 @@
 #include "core/geometry/units.h"
 #include "ui/common/read_out.h"
 #include "ui/panels/leg_bar.h"
+#include "ui/panels/settle_line.h"
 
 #include <QEvent>
 #include <QGridLayout>
@@ -17,7 +18,8 @@ namespace {
 constexpr int kDecimals = 3;
 }
 
-LegsPanel::LegsPanel(const PlatformGeometry& geometry, QWidget* parent) : Card(parent), m_geometry(geometry) {
+LegsPanel::LegsPanel(const PlatformGeometry& geometry, QWidget* parent)
+    : Card(parent), m_geometry(geometry), m_settle(new SettleLine(geometry, this)) {
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(10);
     grid->setVerticalSpacing(3);
@@ -32,6 +34,7 @@ LegsPanel::LegsPanel(const PlatformGeometry& geometry, QWidget* parent) : Card(p
     }
     grid->setColumnStretch(4, 1);
     body()->addLayout(grid);
+    body()->addWidget(m_settle);
     retranslate();
 }
 
@@ -48,6 +51,7 @@ void LegsPanel::addRow(QGridLayout& grid, int leg) {
 }
 
 void LegsPanel::showSnapshot(const Snapshot& snapshot) {
+    m_settle->showSnapshot(snapshot);
     const MotionLimits limits = motionLimits(m_geometry, snapshot.minLength, snapshot.maxLength);
     for (int i = 0; i < kLegCount; ++i) {
         const Row& row = m_rows[static_cast<std::size_t>(i)];

@@ -14,13 +14,16 @@ namespace hexapose {
 
 class LegBar;
 class ReadOut;
+class SettleLine;
 
-/// The six legs: commanded, measured, error, and where each stands within its stroke.
+/// The six legs: commanded, measured, error, where each stands within its stroke, and whether they have
+/// settled.
 class LegsPanel final : public Card {
     Q_OBJECT
 public:
     explicit LegsPanel(const PlatformGeometry& geometry, QWidget* parent = nullptr);
     void showSnapshot(const Snapshot& snapshot);
+    SettleLine& settleLine() { return *m_settle; }
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -38,6 +41,7 @@ private:
     PlatformGeometry m_geometry;
     std::array<Row, kLegCount> m_rows{};
     std::array<QLabel*, 4> m_heads{};
+    SettleLine* m_settle;
 };
 
 } // namespace hexapose

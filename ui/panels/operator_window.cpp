@@ -7,8 +7,10 @@
 #include "ui/panels/banner.h"
 #include "ui/panels/event_list.h"
 #include "ui/panels/legs_panel.h"
+#include "ui/panels/motion_panel.h"
 #include "ui/panels/pose_panel.h"
 #include "ui/panels/report_panel.h"
+#include "ui/panels/settle_line.h"
 #include "ui/panels/status_panel.h"
 #include "ui/panels/target_panel.h"
 
@@ -41,7 +43,7 @@ bool drivesAreOn(RunState state) {
 
 OperatorWindow::OperatorWindow(const PlatformGeometry& geometry, PortList ports, QWidget* parent)
     : QMainWindow(parent), m_geometry(geometry), m_connection(new ConnectionPanel(std::move(ports), this)),
-      m_banner(new Banner(this)), m_target(new TargetPanel(geometry, this)), m_events(new EventList(this)),
+      m_banner(new Banner(this)), m_motion(new MotionPanel(geometry, this)), m_events(new EventList(this)),
       m_charts(new ChartPage(geometry, this)), m_legs(new LegsPanel(geometry, this)),
       m_pose(new PosePanel(geometry, this)), m_report(new ReportPanel(geometry, this)),
       m_status(new StatusPanel(this)) {
@@ -65,22 +67,22 @@ OperatorWindow::~OperatorWindow() {
 void OperatorWindow::wire() {
     connect(m_connection, &ConnectionPanel::connectRequested, this, &OperatorWindow::connectTo);
     connect(m_connection, &ConnectionPanel::disconnectRequested, this, &OperatorWindow::disconnectFrom);
-    const auto post = [this](const OperatorCommand& command) {
-        if (m_session && m_session->isOpen()) {
-            m_session->post(command);
-        }
-    };
-    connect(m_connection, &ConnectionPanel::commandRequested, this, post);
-    connect(m_target, &TargetPanel::runRequested, this, [post](const Pose& pose) { post(RunCommand{pose}); });
-    connect(m_target, &TargetPanel::stopRequested, this, [this, post] {
-        post(StopCommand{});
+    connect(m_connection, &ConnectionPanel::commandRequested, this, &OperatorWindow::post);
+    connect(m_motion, &MotionPanel::commandRequested, this, &OperatorWindow::post);
+    const auto endReport = [this] {
         if (m_report->isRunning()) {
             m_report->cancel();
         }
+    };
+    connect(m_motion, &MotionPanel::stopRequested, this, [this, endReport] {
+        post(StopCommand{});
+        endReport();
     });
-    connect(m_report, &ReportPanel::runRequested, this, [this, post](const Pose& pose) {
-        m_target->setTarget(pose);
-        post(RunCommand{pose});
+    connect(m_motion, &MotionPanel::motionBegins, this, endReport);
+    connect(m_report, &ReportPanel::runRequested, this, [this](const Pose& pose) {
+        m_motion->endLists();
+        m_motion->target().setTarget(pose);
+        post(RunCommand{pose, m_motion->mode()});
     });
     connect(m_report, &ReportPanel::noted, this, [this](const std::function<EventText()>& text) {
         m_events->addNote(text, std::chrono::system_clock::now());
@@ -94,6 +96,16 @@ void OperatorWindow::wire() {
     });
 }
 
+void OperatorWindow::post(const OperatorCommand& command) {
+    if (m_session && m_session->isOpen()) {
+        m_session->post(command);
+    }
+}
+
+TargetPanel& OperatorWindow::targetPanel() {
+    return m_motion->target();
+}
+
 void OperatorWindow::setColors(const ThemeColors& colors) {
     m_charts->setColors(colors);
 }
@@ -103,6 +115,9 @@ void OperatorWindow::setSession(std::unique_ptr<Session> session) {
     connect(m_session.get(), &Session::opened, this, &OperatorWindow::sessionOpened);
     connect(m_session.get(), &Session::closed, this, &OperatorWindow::sessionClosed);
     m_report->setSolver(m_session->setup().solver);
+    m_motion->setSolver(m_session->setup().solver);
+    m_motion->setControl(m_session->setup().control);
+    m_legs->settleLine().setControl(m_session->setup().control);
     m_status->setSolver(m_session->setup().solver->name());
     m_connection->setAvailable(true);
 }
@@ -138,6 +153,7 @@ void OperatorWindow::sessionOpened() {
     m_report->setDefaultFolder(log.path() + QLatin1Char('/') + log.completeBaseName() +
                                QStringLiteral("-report"));
     m_connection->setOpen(true);
+    m_motion->sessionOpened();
     m_latest = Snapshot{};
     m_sinceSnapshot.start();
     showLatest();
@@ -166,6 +182,8 @@ void OperatorWindow::showSnapshots(const std::vector<Snapshot>& snapshots) {
     for (const Snapshot& snapshot : snapshots) {
         m_charts->add(snapshot);
         m_report->add(snapshot);
+        m_motion->add(snapshot);
+        m_legs->settleLine().add(snapshot);
         for (const Event& event : snapshot.events) {
             m_events->add(event, snapshot.wallTime);
             emit eventHappened(event);
@@ -192,8 +210,8 @@ void OperatorWindow::showLatest() {
     // A sender that takes no commands has no state that a button could change.
     const bool commandable = linked && m_latest.link != LinkState::ListenOnly;
     m_connection->showState(commandable ? m_latest.state : RunState::Disconnected);
-    m_target->showSnapshot(m_latest);
-    m_target->setConnected(linked);
+    m_motion->showSnapshot(m_latest);
+    m_motion->setConnected(linked);
     m_report->setConnected(commandable);
     if (++m_tickCount % kChartsEvery == 0) {
         m_charts->refreshInTurn(seconds(m_latest.time));
@@ -210,7 +228,7 @@ bool OperatorWindow::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::KeyPress && watched->isWidgetType()) {
         const auto* key = static_cast<QKeyEvent*>(event);
         if (key->key() == Qt::Key_Escape && !key->isAutoRepeat()) {
-            emit m_target->stopRequested();
+            m_motion->stop();
         }
     }
     return QMainWindow::eventFilter(watched, event);

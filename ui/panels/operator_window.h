@@ -22,6 +22,7 @@ class Banner;
 class ChartPage;
 class EventList;
 class LegsPanel;
+class MotionPanel;
 class PosePanel;
 class ReportPanel;
 class StatusPanel;
@@ -52,7 +53,8 @@ public:
     ConnectionPanel& connectionPanel() { return *m_connection; }
     EventList& events() { return *m_events; }
     ReportPanel& reportPanel() { return *m_report; }
-    TargetPanel& targetPanel() { return *m_target; }
+    MotionPanel& motionPanel() { return *m_motion; }
+    TargetPanel& targetPanel();
     void showPage(int page); ///< 0: the console, 1: the report
 
 signals:
@@ -69,6 +71,7 @@ private:
     QWidget* buildHeader();
     QWidget* buildConsole();
     void wire();
+    void post(const OperatorCommand& command);
     void tick();
     void showLatest();
     void sessionOpened();
@@ -86,7 +89,7 @@ private:
 
     ConnectionPanel* m_connection;
     Banner* m_banner;
-    TargetPanel* m_target;
+    MotionPanel* m_motion;
     EventList* m_events;
     ChartPage* m_charts;
     LegsPanel* m_legs;

@@ -4,11 +4,11 @@
 #include "ui/panels/banner.h"
 #include "ui/panels/event_list.h"
 #include "ui/panels/legs_panel.h"
+#include "ui/panels/motion_panel.h"
 #include "ui/panels/operator_window.h"
 #include "ui/panels/pose_panel.h"
 #include "ui/panels/report_panel.h"
 #include "ui/panels/status_panel.h"
-#include "ui/panels/target_panel.h"
 
 #include <QButtonGroup>
 #include <QEvent>
@@ -20,7 +20,7 @@
 namespace hexapose {
 
 namespace {
-constexpr int kLeftWidth = 300;
+constexpr int kLeftWidth = 336;
 constexpr int kSpacing = 8;
 } // namespace
 
@@ -29,12 +29,12 @@ void OperatorWindow::build() {
     m_pages->addWidget(buildConsole());
     m_pages->addWidget(m_report);
 
-    // Target, Stop and events stand beside every page.
+    // What moves the platform, Stop and the events stand beside every page.
     auto* left = new QVBoxLayout;
     left->setSpacing(kSpacing);
-    m_target->setFixedWidth(kLeftWidth);
+    m_motion->setFixedWidth(kLeftWidth);
     m_events->setFixedWidth(kLeftWidth);
-    left->addWidget(m_target);
+    left->addWidget(m_motion);
     left->addWidget(m_events, 1);
     auto* middle = new QHBoxLayout;
     middle->setSpacing(kSpacing);

@@ -5,16 +5,19 @@
 #include "core/kinematics/jacobian.h"
 #include "ui/common/read_out.h"
 #include "ui/common/status_text.h"
+#include "ui/panels/singularity_bar.h"
 
 #include <Eigen/LU>
 #include <QEvent>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QVBoxLayout>
 
 namespace hexapose {
 
 namespace {
 
+constexpr int kQDecimals = 3;
 constexpr double kLengthResolution = 1e-4; ///< m: lengths come with one decimal of a millimetre
 
 /// sum_i |J^-1|_ki r/2: the largest error that rounding the lengths can make.
@@ -42,6 +45,7 @@ PosePanel::PosePanel(const PlatformGeometry& geometry, QWidget* parent) : Card(p
         addRow(*grid, i);
     }
     body()->addLayout(grid);
+    addSingularity();
     retranslate();
 }
 
@@ -58,6 +62,20 @@ void PosePanel::addRow(QGridLayout& grid, int coordinate) {
     auto* unit = makeMutedLabel(this);
     unit->setText(text.unit);
     grid.addWidget(unit, coordinate + 1, 5);
+}
+
+void PosePanel::addSingularity() {
+    m_qLabel = makeCaption(this);
+    m_qBar = new SingularityBar(this);
+    m_q = new ReadOut(this);
+    m_q->setDigits(6);
+    m_q->setMaximumWidth(m_q->minimumWidth());
+    auto* row = new QHBoxLayout;
+    row->setSpacing(10);
+    row->addWidget(m_qLabel);
+    row->addWidget(m_qBar, 1);
+    row->addWidget(m_q);
+    body()->addLayout(row);
 }
 
 void PosePanel::showSnapshot(const Snapshot& snapshot) {
@@ -81,6 +99,12 @@ void PosePanel::showSnapshot(const Snapshot& snapshot) {
             readOut->setStale(snapshot.stale);
         }
     }
+    const std::optional<double> q = snapshot.measuredPose ? snapshot.determinantRatio : std::nullopt;
+    m_qBar->setValue(q, snapshot.stale);
+    m_q->showNumber(q, kQDecimals);
+    m_q->setStale(snapshot.stale);
+    const Tone tone = toneOfQ(q);
+    setTone(*m_q, snapshot.stale || tone == Tone::Good ? Tone::Idle : tone);
 }
 
 void PosePanel::retranslate() {
@@ -90,6 +114,13 @@ void PosePanel::retranslate() {
     m_heads[2]->setText(tr("error"));
     m_heads[3]->setText(QString::fromUtf8("\u00b1 ") + tr("expected"));
     m_heads[3]->setToolTip(tr("The largest error that the 0.1 mm resolution of the lengths explains"));
+    setCaption(*m_qLabel, tr("Singularity q"));
+    m_q->setAccessibleName(tr("Singularity q"));
+    m_qBar->setAccessibleName(tr("Singularity bar"));
+    const QString tip = tr("Distance from a singular pose: 1 at home, 0 where the platform cannot be held. "
+                           "Amber below 0.2, red below 0.05.");
+    m_qBar->setToolTip(tip);
+    m_q->setToolTip(tip);
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         const QString word = coordinateTexts()[i].word;
         m_rows[i].target->setAccessibleName(tr("Path %1").arg(word));

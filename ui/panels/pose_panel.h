@@ -13,9 +13,10 @@ class QGridLayout;
 namespace hexapose {
 
 class ReadOut;
+class SingularityBar;
 
 /// The pose: the target on the path, the measured one, the error, and the error that the resolution of the
-/// lengths alone explains. Nothing is shown without a usable solution.
+/// lengths alone explains; below it how far from singular it is. Nothing is shown without a usable solution.
 class PosePanel final : public Card {
     Q_OBJECT
 public:
@@ -33,11 +34,15 @@ private:
         ReadOut* expected;
     };
     void addRow(QGridLayout& grid, int coordinate);
+    void addSingularity();
     void retranslate();
 
     PlatformGeometry m_geometry;
     std::array<Row, 6> m_rows{};
     std::array<QLabel*, 4> m_heads{};
+    QLabel* m_qLabel = nullptr;
+    SingularityBar* m_qBar = nullptr;
+    ReadOut* m_q = nullptr;
 };
 
 } // namespace hexapose

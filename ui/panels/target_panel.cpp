@@ -3,6 +3,7 @@
 #include "ui/panels/target_panel.h"
 
 #include "core/geometry/number_text.h"
+#include "ui/common/card.h"
 #include "ui/common/pose_field.h"
 #include "ui/common/read_out.h"
 #include "ui/common/status_text.h"
@@ -14,7 +15,7 @@
 #include <QEvent>
 #include <QGridLayout>
 #include <QPushButton>
-#include <QShortcut>
+#include <QShowEvent>
 #include <QVBoxLayout>
 
 namespace hexapose {
@@ -33,7 +34,7 @@ QString rangeText(const std::pair<double, double>& range, int coordinate) {
 } // namespace
 
 TargetPanel::TargetPanel(const PlatformGeometry& geometry, QWidget* parent)
-    : Card(parent), m_geometry(geometry), m_limits(motionLimits(geometry, {}, {})) {
+    : QWidget(parent), m_judge(geometry) {
     build();
     setTarget(Pose{});
     setConnected(false);
@@ -42,6 +43,24 @@ TargetPanel::TargetPanel(const PlatformGeometry& geometry, QWidget* parent)
 }
 
 void TargetPanel::build() {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(6);
+    buildFields(*column);
+    buildValidity(*column);
+    buildButtons(*column);
+    m_named = new NamedPoses(this);
+    column->addWidget(m_named);
+    column->addStretch(1);
+    connect(m_named, &NamedPoses::chosen, this, &TargetPanel::setTarget);
+    connect(m_named, &NamedPoses::keepRequested, this, [this] {
+        if (const auto pose = target()) {
+            m_named->keep(*pose);
+        }
+    });
+}
+
+void TargetPanel::buildFields(QVBoxLayout& column) {
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(8);
     grid->setVerticalSpacing(5);
@@ -57,15 +76,18 @@ void TargetPanel::build() {
         label->setMinimumWidth(16);
         m_ranges[at] = makeMutedLabel(this, Qt::AlignRight | Qt::AlignVCenter);
         m_ranges[at]->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("-000.0 .. 000.0")));
+        QLabel* unit = makeMutedLabel(this);
+        unit->setText(text.unit);
         grid->addWidget(label, i + 1, 0);
         grid->addWidget(field, i + 1, 1);
-        grid->addWidget(makeMutedLabel(this), i + 1, 2);
-        qobject_cast<QLabel*>(grid->itemAtPosition(i + 1, 2)->widget())->setText(text.unit);
+        grid->addWidget(unit, i + 1, 2);
         grid->addWidget(m_ranges[at], i + 1, 3);
     }
     grid->setColumnStretch(1, 1);
-    body()->addLayout(grid);
+    column.addLayout(grid);
+}
 
+void TargetPanel::buildValidity(QVBoxLayout& column) {
     auto* validity = new QHBoxLayout;
     m_lamp = makeLamp(this);
     m_validity = new TextReadOut(kValidityLines, this);
@@ -76,47 +98,39 @@ void TargetPanel::build() {
     validity->addLayout(lampColumn);
     validity->addWidget(m_validity, 1);
     validity->setContentsMargins(0, 2, 0, 0);
-    body()->addLayout(validity);
+    column.addLayout(validity);
+}
 
+void TargetPanel::buildButtons(QVBoxLayout& column) {
     m_run = new QPushButton(this);
     m_run->setProperty("kind", "primary");
     m_run->setObjectName(QStringLiteral("run"));
-    m_stop = new QPushButton(this);
-    m_stop->setProperty("kind", "stop");
-    m_stop->setObjectName(QStringLiteral("stop"));
     m_reset = new QPushButton(this);
     m_copy = new QPushButton(this);
     m_copy->setEnabled(false);
-    auto* buttons = new QGridLayout;
+    auto* buttons = new QHBoxLayout;
     buttons->setSpacing(6);
-    buttons->addWidget(m_run, 0, 0);
-    buttons->addWidget(m_stop, 0, 1);
-    buttons->addWidget(m_reset, 1, 0);
-    buttons->addWidget(m_copy, 1, 1);
-    body()->addLayout(buttons);
-    m_named = new NamedPoses(this);
-    body()->addWidget(m_named);
-    for (QPushButton* button : {m_run, m_stop}) {
-        button->setMinimumHeight(38);
-    }
-
+    buttons->addWidget(m_run, 1);
+    buttons->addWidget(m_reset);
+    buttons->addWidget(m_copy);
+    column.addLayout(buttons);
     connect(m_run, &QPushButton::clicked, this, &TargetPanel::run);
-    connect(m_stop, &QPushButton::clicked, this, &TargetPanel::stopRequested);
     connect(m_reset, &QPushButton::clicked, this, [this] { setTarget(Pose{}); });
     connect(m_copy, &QPushButton::clicked, this, [this] {
         if (m_measured) {
             setTarget(*m_measured);
         }
     });
-    connect(m_named, &NamedPoses::chosen, this, &TargetPanel::setTarget);
-    connect(m_named, &NamedPoses::keepRequested, this, [this] {
-        if (const auto pose = target()) {
-            m_named->keep(*pose);
-        }
-    });
-    auto* stopKey = new QShortcut(QKeySequence(Qt::Key_Escape), this);
-    stopKey->setContext(Qt::ApplicationShortcut);
-    connect(stopKey, &QShortcut::activated, this, &TargetPanel::stopRequested);
+}
+
+void TargetPanel::setControl(const ControlOptions& options) {
+    m_judge.setControl(options);
+    judge();
+}
+
+void TargetPanel::setMode(MotionMode mode) {
+    m_mode = mode;
+    judge();
 }
 
 void TargetPanel::setConnected(bool connected) {
@@ -140,12 +154,17 @@ void TargetPanel::showSnapshot(const Snapshot& snapshot) {
     }
     const bool had = m_measured.has_value();
     m_measured = live ? snapshot.measuredPose : std::nullopt;
-    m_limits = motionLimits(m_geometry, snapshot.minLength, snapshot.maxLength);
+    m_judge.follow(snapshot);
     m_copy->setEnabled(m_measured.has_value());
-    if (had != m_measured.has_value() || !m_sinceJudged.isValid() ||
-        m_sinceJudged.elapsed() > kJudgeEveryMs) {
+    const bool due = !m_sinceJudged.isValid() || m_sinceJudged.elapsed() > kJudgeEveryMs;
+    if (had != m_measured.has_value() || (due && isVisible())) {
         judge();
     }
+}
+
+void TargetPanel::showEvent(QShowEvent* event) {
+    judge();
+    QWidget::showEvent(event);
 }
 
 void TargetPanel::setTarget(const Pose& pose) {
@@ -186,9 +205,9 @@ void TargetPanel::judge() {
     if (!pose) {
         m_verdict.reset();
     } else if (m_measured) {
-        m_verdict = checkLegPath(m_geometry, m_limits, *m_measured, *pose);
+        m_verdict = m_judge.move(*m_measured, *pose, m_mode);
     } else {
-        m_verdict = checkPose(m_geometry, m_limits, *pose);
+        m_verdict = m_judge.pose(*pose);
     }
     if (m_named != nullptr) {
         m_named->setTargetWhole(pose.has_value());
@@ -199,7 +218,8 @@ void TargetPanel::judge() {
 
 void TargetPanel::showRanges() {
     for (int i = 0; i < 6; ++i) {
-        const auto range = m_measured ? axisRange(m_geometry, m_limits, *m_measured, i) : std::nullopt;
+        const auto range =
+            m_measured ? axisRange(m_judge.geometry(), m_judge.limits(), *m_measured, i) : std::nullopt;
         m_ranges[static_cast<std::size_t>(i)]->setText(range ? rangeText(*range, i) : ReadOut::dash());
     }
 }
@@ -225,7 +245,6 @@ void TargetPanel::showVerdict() {
 }
 
 void TargetPanel::retranslate() {
-    setTitle(tr("Target"));
     const std::array<QString, 6> names = {tr("Target x"),     tr("Target y"),    tr("Target z"),
                                           tr("Target alpha"), tr("Target beta"), tr("Target gamma")};
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -243,8 +262,6 @@ void TargetPanel::retranslate() {
     };
     name(m_run, tr("Run"), {});
     updateRun();
-    name(m_stop, tr("Stop"), tr("Stop the motion (Esc). This is not the emergency stop of the machine."));
-    m_stop->setText(tr("Stop  (Esc)"));
     name(m_reset, tr("Reset"), tr("Put the home pose into the fields; nothing moves"));
     name(m_copy, tr("Copy measured"), tr("Put the measured pose into the fields; nothing moves"));
     showVerdict();
@@ -254,7 +271,7 @@ void TargetPanel::changeEvent(QEvent* event) {
     if (event->type() == QEvent::LanguageChange) {
         retranslate();
     }
-    Card::changeEvent(event);
+    QWidget::changeEvent(event);
 }
 
 } // namespace hexapose

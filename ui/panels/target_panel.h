@@ -2,16 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/control/limits.h"
 #include "core/record/snapshot.h"
-#include "ui/common/card.h"
+#include "ui/panels/move_judge.h"
 
 #include <QElapsedTimer>
+#include <QWidget>
 
 #include <array>
 #include <optional>
 
+class QLabel;
 class QPushButton;
+class QVBoxLayout;
 
 namespace hexapose {
 
@@ -19,13 +21,16 @@ class NamedPoses;
 class PoseField;
 class TextReadOut;
 
-/// Where to go: six fields, whether that can be reached and why not, Run, Stop and Reset.
-class TargetPanel final : public Card {
+/// Where to go: six fields, whether that can be reached and why not, Run and Reset.
+class TargetPanel final : public QWidget {
     Q_OBJECT
 public:
     explicit TargetPanel(const PlatformGeometry& geometry, QWidget* parent = nullptr);
 
+    void setControl(const ControlOptions& options);
     void setConnected(bool connected);
+    /// The way that Run will take; judged anew, and nothing moves.
+    void setMode(MotionMode mode);
     /// What the present pose and the controller's limits say; judged anew a few times a second at most.
     void showSnapshot(const Snapshot& snapshot);
 
@@ -41,21 +46,24 @@ public slots:
 
 signals:
     void runRequested(const hexapose::Pose& target);
-    void stopRequested();
 
 protected:
     void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
     void build();
+    void buildFields(QVBoxLayout& column);
+    void buildValidity(QVBoxLayout& column);
+    void buildButtons(QVBoxLayout& column);
     void judge();
     void showRanges();
     void showVerdict();
     void updateRun();
     void retranslate();
 
-    PlatformGeometry m_geometry;
-    MotionLimits m_limits;
+    MoveJudge m_judge;
+    MotionMode m_mode = MotionMode::Joint;
     QString m_hindrance; ///< why Run cannot be pressed, though something is connected
     bool m_connected = false;
     std::optional<Pose> m_measured; ///< present and usable
@@ -67,7 +75,6 @@ private:
     QLabel* m_lamp = nullptr;
     TextReadOut* m_validity = nullptr;
     QPushButton* m_run = nullptr;
-    QPushButton* m_stop = nullptr;
     QPushButton* m_reset = nullptr;
     QPushButton* m_copy = nullptr;
     NamedPoses* m_named = nullptr;

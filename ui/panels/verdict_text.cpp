@@ -4,6 +4,7 @@
 
 #include "core/geometry/number_text.h"
 #include "core/geometry/units.h"
+#include "ui/common/status_text.h"
 
 #include <QCoreApplication>
 #include <QRegularExpression>
@@ -35,9 +36,32 @@ QString legText(const Verdict& verdict) {
                     QString::fromStdString(formatNumber(bound)), number(by, decimals));
 }
 
-} // namespace
+QString axisText(int axis) {
+    return axis >= 1 && axis <= 6 ? coordinateTexts()[static_cast<std::size_t>(axis - 1)].symbol : QString();
+}
 
-QString verdictText(const Verdict& verdict) {
+QString envelopeText(const Verdict& verdict) {
+    const int coordinate = verdict.axis - 1;
+    const QString unit = coordinate < 3 ? QStringLiteral(" mm") : QString::fromUtf8("\u00b0");
+    return VerdictText::tr("%1 would be %2, outside its allowed \u00b1%3")
+        .arg(axisText(verdict.axis), number(shownCoordinate(coordinate, verdict.value), 1) + unit,
+             QString::fromStdString(formatNumber(shownCoordinate(coordinate, verdict.bound))) + unit);
+}
+
+QString legPaceText(const Verdict& verdict) {
+    const QString text =
+        verdict.reason == Verdict::Reason::LegTooFast
+            ? VerdictText::tr("Leg %1 would move at %2 mm/s, faster than its %3 mm/s")
+            : VerdictText::tr("Leg %1 would accelerate by %2 mm/s\u00b2, more than its %3 mm/s\u00b2");
+    return text.arg(QString::number(verdict.leg), number(mmFromMetres(verdict.value), 1),
+                    number(mmFromMetres(verdict.bound), 1));
+}
+
+QString withPlace(const QString& reason, const QString& percent) {
+    return VerdictText::tr("%1, at %2 % of the way").arg(reason, percent);
+}
+
+QString reasonText(const Verdict& verdict) {
     switch (verdict.reason) {
     case Verdict::Reason::Ok:
         return VerdictText::tr("Reachable");
@@ -52,32 +76,81 @@ QString verdictText(const Verdict& verdict) {
     case Verdict::Reason::OtherBranch:
         return VerdictText::tr("The legs would lead to another pose than the target");
     case Verdict::Reason::PathNearSingular:
-        return VerdictText::tr("The path comes too close to a singular pose at %1 % of the way")
-            .arg(number(verdict.fraction * 100.0, 0));
+        return VerdictText::tr("The path comes too close to a singular pose");
+    case Verdict::Reason::OutsideEnvelope:
+        return envelopeText(verdict);
+    case Verdict::Reason::OtherSide:
+        return VerdictText::tr("Beyond the singular poses: q would be %1, at least %2 is needed")
+            .arg(number(verdict.value, 3), number(verdict.bound, 3));
+    case Verdict::Reason::LegTooFast:
+    case Verdict::Reason::LegTooHard:
+        return legPaceText(verdict);
     }
     return {};
 }
 
-QString verdictTextFromWords(const QString& words) {
-    static const QRegularExpression leg(QStringLiteral("^leg (\\d) (above max_mm|below min_mm)$"));
-    static const QRegularExpression path(QStringLiteral("^path near singular at (\\d+) %$"));
+/// The reason of a verdict's words, without the place.
+QString reasonTextFromWords(const QString& words) {
+    static const QRegularExpression leg(
+        QStringLiteral("^leg (\\d) (above max_mm|below min_mm|too fast|accelerated too hard)$"));
+    static const QRegularExpression axis(QStringLiteral("^(x|y|z|alpha|beta|gamma) outside the envelope$"));
     if (const auto match = leg.match(words); match.hasMatch()) {
-        const bool above = match.captured(2).startsWith(QLatin1String("above"));
-        return (above ? VerdictText::tr("Leg %1 would be above its maximum")
-                      : VerdictText::tr("Leg %1 would be below its minimum"))
-            .arg(match.captured(1));
+        const QString what = match.captured(2);
+        const QString text =
+            what.startsWith(QLatin1String("above"))   ? VerdictText::tr("Leg %1 would be above its maximum")
+            : what.startsWith(QLatin1String("below")) ? VerdictText::tr("Leg %1 would be below its minimum")
+            : what.startsWith(QLatin1String("too"))   ? VerdictText::tr("Leg %1 would move too fast")
+                                                      : VerdictText::tr("Leg %1 would accelerate too hard");
+        return text.arg(match.captured(1));
     }
-    if (const auto match = path.match(words); match.hasMatch()) {
-        return VerdictText::tr("The path comes too close to a singular pose at %1 % of the way")
-            .arg(match.captured(1));
+    if (const auto match = axis.match(words); match.hasMatch()) {
+        for (int i = 1; i <= 6; ++i) {
+            if (coordinateTexts()[static_cast<std::size_t>(i - 1)].word == match.captured(1)) {
+                return VerdictText::tr("%1 would be outside its allowed range").arg(axisText(i));
+            }
+        }
+    }
+    if (words == QLatin1String("path near singular")) {
+        return VerdictText::tr("The path comes too close to a singular pose");
     }
     if (words == QLatin1String("near singular")) {
         return VerdictText::tr("Too close to a singular pose");
     }
+    if (words == QLatin1String("across the singular poses")) {
+        return VerdictText::tr("Beyond the singular poses");
+    }
     if (words == QLatin1String("other branch")) {
         return VerdictText::tr("The legs would lead to another pose than the target");
     }
-    return words == QLatin1String("invalid-input") ? VerdictText::tr("A coordinate is not a number") : words;
+    return words == QLatin1String("invalid-input") ? VerdictText::tr("A coordinate is not a number")
+                                                   : QString();
+}
+
+/// "reason at 63 %": the reason and the number.
+QRegularExpressionMatch placeIn(const QString& words) {
+    static const QRegularExpression place(QStringLiteral("^(.*) at (\\d+) %$"));
+    return place.match(words);
+}
+
+} // namespace
+
+QString verdictText(const Verdict& verdict) {
+    const bool onTheWay = !verdict.ok() && verdict.fraction < 1.0;
+    return onTheWay ? withPlace(reasonText(verdict), number(verdict.fraction * 100.0, 0))
+                    : reasonText(verdict);
+}
+
+QString verdictTextFromWords(const QString& words) {
+    const auto place = placeIn(words);
+    const QString reason = reasonTextFromWords(place.hasMatch() ? place.captured(1) : words);
+    if (reason.isEmpty()) {
+        return words;
+    }
+    return place.hasMatch() ? withPlace(reason, place.captured(2)) : reason;
+}
+
+bool liesOnTheWay(const QString& words) {
+    return placeIn(words).hasMatch();
 }
 
 } // namespace hexapose

@@ -15,4 +15,7 @@ QString verdictText(const Verdict& verdict);
 /// themselves when they are not known.
 QString verdictTextFromWords(const QString& words);
 
+/// Whether those words tell of a reason that lies on the way, while the target itself can be reached.
+bool liesOnTheWay(const QString& words);
+
 } // namespace hexapose

@@ -10,10 +10,12 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
+#include <QMessageBox>
 
 namespace hexapose {
 
-WindowMenu::WindowMenu(QMainWindow& window, const QString& language, ThemeKind theme) : QObject(&window) {
+WindowMenu::WindowMenu(QMainWindow& window, const QString& language, ThemeKind theme)
+    : QObject(&window), m_window(window) {
     m_file = window.menuBar()->addMenu(QString());
     m_quit = m_file->addAction(QString(), &window, &QWidget::close);
     m_quit->setShortcut(QKeySequence::Quit);
@@ -38,8 +40,25 @@ WindowMenu::WindowMenu(QMainWindow& window, const QString& language, ThemeKind t
     (theme == ThemeKind::Dark ? m_dark : m_light)->setChecked(true);
     connect(m_light, &QAction::triggered, this, [this] { emit themeChosen(ThemeKind::Light); });
     connect(m_dark, &QAction::triggered, this, [this] { emit themeChosen(ThemeKind::Dark); });
+    m_help = window.menuBar()->addMenu(QString());
+    m_keys = m_help->addAction(QString(), this, &WindowMenu::showKeys);
     window.installEventFilter(this);
     retranslate();
+}
+
+/// Beside the window and not before it: Stop stays within reach.
+void WindowMenu::showKeys() {
+    auto* box = new QMessageBox(
+        QMessageBox::NoIcon, tr("Keys"),
+        tr("Esc: Stop, wherever the focus is.\n\nJog, with the focus on its buttons, for as long as the key "
+           "is "
+           "held:\nleft and right: x\ndown and up: y\npage down and page up: z\nwith Shift: alpha, beta, "
+           "gamma\nspace: the button with the focus\n\nA second key, another window or a menu ends the "
+           "motion."),
+        QMessageBox::Close, &m_window);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setWindowModality(Qt::NonModal);
+    box->show();
 }
 
 bool WindowMenu::eventFilter(QObject* watched, QEvent* event) {
@@ -57,6 +76,8 @@ void WindowMenu::retranslate() {
     m_themes->setTitle(tr("&Theme"));
     m_light->setText(tr("&Light"));
     m_dark->setText(tr("&Dark"));
+    m_help->setTitle(tr("&Help"));
+    m_keys->setText(tr("&Keys..."));
 }
 
 } // namespace hexapose

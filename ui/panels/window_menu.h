@@ -12,7 +12,7 @@ class QMenu;
 
 namespace hexapose {
 
-/// The menu of a window: language and look, changed while it runs.
+/// The menu of a window: language and look, changed while it runs, and the keys explained.
 class WindowMenu final : public QObject {
     Q_OBJECT
 public:
@@ -27,6 +27,9 @@ protected:
 
 private:
     void retranslate();
+    void showKeys();
+
+    QMainWindow& m_window;
 
     QMenu* m_file;
     QMenu* m_view;
@@ -35,6 +38,8 @@ private:
     QAction* m_quit;
     QAction* m_light;
     QAction* m_dark;
+    QMenu* m_help;
+    QAction* m_keys;
 };
 
 } // namespace hexapose

@@ -5,8 +5,13 @@
 #include "ui/common/language.h"
 #include "ui/common/pose_field.h"
 #include "ui/panels/event_list.h"
+#include "ui/panels/jog_panel.h"
+#include "ui/panels/motion_panel.h"
 #include "ui/panels/operator_window.h"
+#include "ui/panels/report_panel.h"
 #include "ui/panels/target_panel.h"
+#include "ui/panels/way_point_table.h"
+#include "ui/panels/way_points_panel.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -18,6 +23,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSlider>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
@@ -129,12 +135,52 @@ TEST_F(OperatorWindowTest, EveryControlHasANameInEveryLanguage) {
         }
     };
     check();
-    const QStringList names{
-        "Target x",       "Target gamma",    "Run",           "Stop",       "Reset",          "Connect",
-        "Leg 1 measured", "Leg 6 commanded", "Leg 3 error",   "Measured x", "Measured gamma", "Error alpha",
-        "State",          "Validity",        "Rate",          "Age",        "Solver",         "Iterations",
-        "Residual",       "Dropped frames",  "Export report", "Run report", "Attitude",       "Legs",
-        "Errors",         "Connection",      "Baud rate",     "Events",     "Platform"};
+    const QStringList names{"Target x",
+                            "Target gamma",
+                            "Run",
+                            "Stop",
+                            "Reset",
+                            "Connect",
+                            "Leg 1 measured",
+                            "Leg 6 commanded",
+                            "Leg 3 error",
+                            "Measured x",
+                            "Measured gamma",
+                            "Error alpha",
+                            "State",
+                            "Validity",
+                            "Rate",
+                            "Age",
+                            "Solver",
+                            "Iterations",
+                            "Residual",
+                            "Dropped frames",
+                            "Export report",
+                            "Run report",
+                            "Attitude",
+                            "Legs",
+                            "Errors",
+                            "Connection",
+                            "Baud rate",
+                            "Events",
+                            "Platform",
+                            "Mode",
+                            "Speed",
+                            "Jog +x",
+                            "Jog -gamma",
+                            "Jog frame",
+                            "Jog step",
+                            "Way-points",
+                            "Add measured",
+                            "Add target",
+                            "Play",
+                            "Pause motion",
+                            "Step",
+                            "Guided test",
+                            "Test measured x",
+                            "Test length 6",
+                            "Settled",
+                            "Singularity q"};
     for (const QString& name : names) {
         EXPECT_EQ(spokenNames().count(name), 1) << name.toStdString();
     }
@@ -148,7 +194,7 @@ TEST_F(OperatorWindowTest, EveryControlHasANameInEveryLanguage) {
 
 TEST_F(OperatorWindowTest, EscStopsAtTheFirstPressWhileAPopupIsOpen) {
     int stops = 0;
-    QObject::connect(&window.targetPanel(), &TargetPanel::stopRequested, &window, [&stops] { ++stops; });
+    QObject::connect(&window.motionPanel(), &MotionPanel::stopRequested, &window, [&stops] { ++stops; });
     auto* box = qobject_cast<QComboBox*>(findByName(window, QStringLiteral("Connection"))->parentWidget());
     if (box == nullptr) {
         box = qobject_cast<QComboBox*>(findByName(window, QStringLiteral("Connection")));
@@ -187,7 +233,71 @@ TEST_F(OperatorWindowTest, FitsASmallScreenAndEveryPageKeepsStop) {
         button(page)->click();
         EXPECT_TRUE(button("Stop")->isVisible()) << page;
         EXPECT_TRUE(button("Export report")->isVisible()) << page;
+        for (const auto motion :
+             {MotionPanel::Target, MotionPanel::Jog, MotionPanel::WayPoints, MotionPanel::Test}) {
+            window.motionPanel().showPage(motion);
+            EXPECT_TRUE(button("Stop")->isVisible()) << page << motion;
+        }
     }
+}
+
+TEST_F(OperatorWindowTest, ASpeedChosenBeforehandHoldsForTheNewSession) {
+    auto* slider = qobject_cast<QSlider*>(findByName(window, QStringLiteral("Speed")));
+    ASSERT_NE(slider, nullptr);
+    slider->setValue(40);
+    EXPECT_EQ(spoken("Speed in force"), "40 %");
+    for (int session = 0; session < 2; ++session) {
+        button("Connect")->click();
+        ASSERT_TRUE(waitFor([this] { return window.latest().speed == 0.4; })) << session;
+        button("Disconnect")->click();
+        EXPECT_EQ(window.latest().speed, 1.0) << "nobody is there";
+    }
+}
+
+TEST_F(OperatorWindowTest, AHeldJogButtonMovesThePlatformAndLettingGoEndsIt) {
+    button("Connect")->click();
+    ASSERT_TRUE(
+        waitFor([this] { return button("Enable")->isEnabled() || button("Reference")->isEnabled(); }));
+    button("Reference")->click();
+    ASSERT_TRUE(waitFor([this] { return spoken("State") == "Disabled"; }));
+    button("Enable")->click();
+    ASSERT_TRUE(waitFor([this] { return spoken("State") == "Enabled"; }));
+    window.motionPanel().showPage(MotionPanel::Jog);
+    QPushButton* up = button("Jog +z");
+    ASSERT_TRUE(up->isEnabled());
+    QTest::mousePress(up, Qt::LeftButton);
+    ASSERT_TRUE(waitFor([this] { return window.latest().measuredPose->offset[2] > 0.0005; }));
+    QTest::mouseRelease(up, Qt::LeftButton);
+    ASSERT_TRUE(waitFor([this] { return window.latest().state == RunState::Enabled; }));
+    EXPECT_TRUE(happened("Jog started"));
+    EXPECT_FALSE(window.motionPanel().jog().hold().direction());
+}
+
+TEST_F(OperatorWindowTest, StopEndsAListAndSoDoesAnotherMotion) {
+    button("Connect")->click();
+    ASSERT_TRUE(waitFor([this] { return button("Run")->isEnabled() && spoken("Measured x") == "0.000"; }));
+    WayPointsPanel& list = window.motionPanel().wayPoints();
+    list.table().setPoses({poseOf(0, 0, 20, 0, 0, 0), poseOf(0, 0, -20, 0, 0, 0)});
+    button("Play")->click();
+    ASSERT_TRUE(waitFor([this] { return window.latest().state == RunState::Moving; }));
+    EXPECT_TRUE(list.isRunning());
+    EXPECT_EQ(spoken("Target z"), "20.00") << "the fields show where it goes";
+    button("Pause motion")->click();
+    ASSERT_TRUE(waitFor([this] { return window.latest().speed == 0.0; }));
+    EXPECT_EQ(window.latest().state, RunState::Moving);
+    button("Stop")->click();
+    EXPECT_FALSE(list.isRunning());
+    ASSERT_TRUE(waitFor([this] { return window.latest().speed == 1.0; })) << "a stop ends the holding too";
+    EXPECT_TRUE(spoken("Way-point progress").contains(QStringLiteral("Stopped on the way to way-point 1")));
+    ASSERT_TRUE(waitFor([this] { return spoken("State") == "Stopped"; }));
+    button("Clear")->click();
+    ASSERT_TRUE(waitFor([this] { return spoken("State") == "Disabled"; }));
+    button("Play")->click();
+    EXPECT_TRUE(list.isRunning());
+    window.reportPanel().runList({poseOf(1, 0, 0, 0, 0, 0)});
+    ASSERT_TRUE(waitFor([&list] { return !list.isRunning(); }));
+    EXPECT_TRUE(spoken("Way-point progress").contains(QStringLiteral("another motion")));
+    button("Stop")->click();
 }
 
 } // namespace

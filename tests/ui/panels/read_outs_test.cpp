@@ -5,9 +5,12 @@
 #include "ui/common/read_out.h"
 #include "ui/panels/legs_panel.h"
 #include "ui/panels/pose_panel.h"
+#include "ui/panels/settle_line.h"
 #include "ui/panels/status_panel.h"
 
 #include <gtest/gtest.h>
+
+#include <numbers>
 
 namespace hexapose {
 namespace {
@@ -69,6 +72,55 @@ TEST(StatusPanel, AStateThatIsNotKnownIsNotShown) {
     EXPECT_EQ(spoken(panel, "State"), "Not known");
     panel.showSnapshot({});
     EXPECT_EQ(spoken(panel, "State"), "Disconnected");
+}
+
+TEST(PosePanel, ShowsHowFarFromSingularItIs) {
+    const PlatformGeometry geometry = laboratoryPlatform();
+    PosePanel panel(geometry);
+    EXPECT_EQ(spoken(panel, "Singularity q"), "--");
+    Snapshot snapshot = snapshotAt(geometry, Pose{}, Pose{}, RunState::Enabled, 1.0);
+    QWidget* q = findByName(panel, QStringLiteral("Singularity q"));
+    const std::pair<double, Tone> zones[] = {{0.98, Tone::Idle}, {0.2, Tone::Idle},  {0.19, Tone::Warn},
+                                             {0.05, Tone::Warn}, {0.049, Tone::Bad}, {-0.3, Tone::Bad}};
+    for (const auto& [value, tone] : zones) {
+        snapshot.determinantRatio = value;
+        panel.showSnapshot(snapshot);
+        EXPECT_NEAR(spoken(panel, "Singularity q").toDouble(), value, 1e-3);
+        EXPECT_EQ(toneOf(*q), tone) << value;
+    }
+    snapshot.stale = true;
+    panel.showSnapshot(snapshot);
+    EXPECT_TRUE(stale(panel, "Singularity q"));
+    snapshot.measuredPose.reset();
+    panel.showSnapshot(snapshot);
+    EXPECT_EQ(spoken(panel, "Singularity q"), "--");
+}
+
+TEST(SettleLine, SaysTheWindowAndTheTime) {
+    const PlatformGeometry geometry = laboratoryPlatform();
+    SettleLine line(geometry);
+    ControlOptions options;
+    options.settleWindow = {0.0002, 0.1 * std::numbers::pi / 180.0};
+    line.setControl(options);
+    Snapshot snapshot = snapshotAt(geometry, Pose{}, Pose{}, RunState::Moving, 1.0);
+    snapshot.mode = MotionMode::Workspace;
+    const auto show = [&](RunState state) {
+        snapshot.state = state;
+        line.add(snapshot);
+        line.showSnapshot(snapshot);
+        return spoken(line, "Settled");
+    };
+    EXPECT_EQ(show(RunState::Moving), "Moving");
+    EXPECT_TRUE(
+        show(RunState::Settling).startsWith(QStringLiteral("Not settled yet: inside 0.20 mm and 0.10")));
+    EXPECT_EQ(show(RunState::Enabled), "--") << "nobody said that it has settled";
+    snapshot.events.push_back({EventCode::Settled, 1.0, {}});
+    EXPECT_EQ(show(RunState::Enabled), QString::fromUtf8("Settled: inside 0.20 mm and 0.10\u00b0 for 0.3 s"));
+    snapshot.events.clear();
+    snapshot.mode = MotionMode::Joint;
+    EXPECT_EQ(show(RunState::Enabled), "Settled: each leg inside 0.20 mm for 0.3 s");
+    EXPECT_EQ(show(RunState::Stopped), "--");
+    EXPECT_EQ(show(RunState::Enabled), "--");
 }
 
 TEST(LegsPanel, ShowsCommandedMeasuredAndErrorAndGreysOldValues) {

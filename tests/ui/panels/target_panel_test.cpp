@@ -4,6 +4,7 @@
 #include "tests/ui/panels/synthetic_machine.h"
 #include "tests/ui/screen_reader.h"
 #include "ui/common/pose_field.h"
+#include "ui/common/status_text.h"
 #include "ui/panels/axis_range.h"
 #include "ui/panels/named_poses.h"
 #include "ui/panels/target_panel.h"
@@ -59,7 +60,6 @@ TEST_F(TargetPanelTest, RunIsDisabledWithItsReasonWhileTheStateIsNotKnown) {
         EXPECT_FALSE(button("Run")->isEnabled()) << word;
         EXPECT_TRUE(button("Run")->toolTip().contains(QString::fromLatin1(word)));
         EXPECT_TRUE(validity().contains(QString::fromLatin1(word))) << validity().toStdString();
-        EXPECT_TRUE(button("Stop")->isEnabled());
     }
     panel.showSnapshot(good);
     EXPECT_TRUE(button("Run")->isEnabled());
@@ -164,14 +164,18 @@ TEST_F(TargetPanelTest, PosesAreKeptChosenReplacedAndRemovedByTheirNames) {
     EXPECT_EQ(runs.count(), 0);
 }
 
-TEST_F(TargetPanelTest, StopIsAlwaysThereAndOnOneKey) {
-    QSignalSpy stops(&panel, &TargetPanel::stopRequested);
-    EXPECT_TRUE(button("Stop")->isEnabled());
-    button("Stop")->click();
-    panel.activateWindow();
-    ASSERT_TRUE(QTest::qWaitForWindowActive(&panel));
-    QTest::keyClick(panel.fields()[2], Qt::Key_Escape);
-    EXPECT_EQ(stops.count(), 2);
+TEST_F(TargetPanelTest, TheLampJudgesTheWayOfTheMode) {
+    // The legs' own way keeps every stroke; on the straight one a leg would be too short in the middle.
+    live(poseOf(-60, 60, -35, 0, 0, -21.5));
+    panel.setTarget(poseOf(-17, -73, -34.5, 0, 0, -25.5));
+    ASSERT_TRUE(panel.verdict());
+    EXPECT_TRUE(panel.verdict()->ok()) << toWords(*panel.verdict());
+    panel.setMode(MotionMode::Workspace);
+    EXPECT_EQ(panel.verdict()->reason, Verdict::Reason::LegBelowMin);
+    EXPECT_LT(panel.verdict()->fraction, 1.0);
+    EXPECT_TRUE(validity().contains(QStringLiteral("% of the way"))) << validity().toStdString();
+    panel.setMode(MotionMode::Joint);
+    EXPECT_EQ(validity(), "Reachable");
 }
 
 TEST(AxisRange, EndsWhereALegMeetsItsStroke) {
@@ -194,6 +198,22 @@ TEST(AxisRange, EndsWhereALegMeetsItsStroke) {
     EXPECT_FALSE(axisRange(geometry, limits, poseOf(0, 0, 300, 0, 0, 0), 0));
 }
 
+TEST(AxisRange, OfAJogEndsWhereTheJogWould) {
+    constexpr double kMetres = 2e-4; // of the bisection
+    const MoveJudge judge(laboratoryPlatform());
+    const Pose here = poseOf(3, -2, 5, 4, -3, 10);
+    for (const JogFrame frame : {JogFrame::Base, JogFrame::Platform}) {
+        for (int axis = 0; axis < 6; ++axis) {
+            const JogDirection direction{axis, axis % 2 == 0, frame};
+            const auto way = jogRange(judge, here, direction);
+            ASSERT_TRUE(way);
+            EXPECT_TRUE(judge.pose(stepped(here, direction, *way)).ok()) << axis;
+            EXPECT_FALSE(judge.pose(stepped(here, direction, *way + kMetres)).ok()) << axis;
+        }
+    }
+    EXPECT_FALSE(jogRange(judge, poseOf(0, 0, 300, 0, 0, 0), {}));
+}
+
 TEST(VerdictText, NamesLegLimitAndExcess) {
     const Verdict above{Verdict::Reason::LegAboveMax, 3, 0.3612, 0.350, 1.0};
     EXPECT_EQ(verdictText(above), "Leg 3 would be 361.2 mm, above its maximum 350 mm (by 11.2 mm)");
@@ -201,8 +221,19 @@ TEST(VerdictText, NamesLegLimitAndExcess) {
     EXPECT_EQ(verdictText(below), "Leg 2 would be 249.9900 mm, below its minimum 250 mm (by 0.0100 mm)");
     const Verdict path{Verdict::Reason::PathNearSingular, 0, 0.01, 0.05, 0.63};
     EXPECT_TRUE(verdictText(path).contains(QStringLiteral("63 %")));
+    Verdict outside{Verdict::Reason::OutsideEnvelope, 0, 0.2, 0.1, 1.0, 5};
+    EXPECT_TRUE(verdictText(outside).startsWith(coordinateTexts()[4].symbol))
+        << verdictText(outside).toStdString();
+    const Verdict fast{Verdict::Reason::LegTooFast, 4, 0.09, 0.08, 0.12};
+    EXPECT_EQ(verdictText(fast),
+              "Leg 4 would move at 90.0 mm/s, faster than its 80.0 mm/s, at 12 % of the way");
+    const Verdict aboveOnTheWay{Verdict::Reason::LegAboveMax, 3, 0.3612, 0.350, 0.3};
+    EXPECT_EQ(verdictTextFromWords(QString::fromStdString(toWords(aboveOnTheWay))),
+              "Leg 3 would be above its maximum, at 30 % of the way");
     for (const Verdict& verdict :
-         {above, below, path, Verdict{Verdict::Reason::NearSingular, 0, 0.01, 0.05, 1.0},
+         {above, below, path, outside, fast, Verdict{Verdict::Reason::LegTooHard, 4, 1.2, 1.0, 0.12},
+          Verdict{Verdict::Reason::OtherSide, 0, -0.1, 0.02, 0.5},
+          Verdict{Verdict::Reason::NearSingular, 0, 0.01, 0.05, 1.0},
           Verdict{Verdict::Reason::OtherBranch, 0, 0, 0, 1.0},
           Verdict{Verdict::Reason::NotFinite, 0, 0, 0, 1.0}}) {
         const QString words = QString::fromStdString(toWords(verdict));

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/panels/move_judge.h"
+
+#include "core/control/straight_motion.h"
+
+namespace hexapose {
+
+MoveJudge::MoveJudge(const PlatformGeometry& geometry)
+    : m_geometry(geometry), m_control(completed(ControlOptions{}, geometry)),
+      m_limits(motionLimits(geometry, {}, {})) {
+    applyControl();
+}
+
+void MoveJudge::setControl(const ControlOptions& options) {
+    m_control = completed(options, m_geometry);
+    applyControl();
+}
+
+void MoveJudge::follow(const Snapshot& snapshot) {
+    m_limits = motionLimits(m_geometry, snapshot.minLength, snapshot.maxLength);
+    applyControl();
+}
+
+void MoveJudge::applyControl() {
+    m_limits.envelope = m_control.envelope;
+    m_limits.legSpeed = m_control.bounds.legSpeed;
+    m_limits.legAcceleration = m_control.bounds.legAcceleration;
+}
+
+Verdict MoveJudge::pose(const Pose& pose) const {
+    return checkPose(m_geometry, m_limits, pose);
+}
+
+Verdict MoveJudge::move(const Pose& from, const Pose& to, MotionMode mode) const {
+    if (mode == MotionMode::Joint) {
+        return checkLegPath(m_geometry, m_limits, from, to);
+    }
+    // A target that cannot be is not worth a plan.
+    Verdict verdict = checkPose(m_geometry, m_limits, to);
+    if (verdict.ok() && !from.isFinite()) {
+        verdict.reason = Verdict::Reason::NotFinite;
+    }
+    return verdict.ok()
+               ? checkMotion(m_geometry, m_limits, StraightMotion(m_geometry, from, to, m_control.bounds))
+               : verdict;
+}
+
+} // namespace hexapose

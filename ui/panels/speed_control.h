@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/record/snapshot.h"
+
+#include <QElapsedTimer>
+#include <QWidget>
+
+class QLabel;
+class QSlider;
+
+namespace hexapose {
+
+class ReadOut;
+
+/// The operator's part of full speed, 5 to 100 %, and 0 while a motion is held on its path.
+class SpeedControl final : public QWidget {
+    Q_OBJECT
+public:
+    explicit SpeedControl(QWidget* parent = nullptr);
+
+    /// What the loop should have, 0..1.
+    double part() const;
+    /// Holds whatever moves where it is on its path; again: on at the speed that the slider says.
+    void setHeld(bool held);
+    bool isHeld() const { return m_held; }
+    /// Says the speed again where the loop has another: it may be a new loop, or a stop may have swept the
+    /// command away.
+    void showSnapshot(const Snapshot& snapshot);
+    void say();
+
+signals:
+    void partRequested(double part);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void showPart();
+    void retranslate();
+
+    QLabel* m_label;
+    QSlider* m_slider;
+    ReadOut* m_readOut;
+    QElapsedTimer m_sinceSaid;
+    bool m_held = false;
+};
+
+} // namespace hexapose
