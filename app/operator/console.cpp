@@ -35,7 +35,7 @@ QStringList serialPortPaths() {
 
 Console::Console(QApplication& application, const OperatorOptions& options, const PlatformGeometry& geometry)
     : m_application(application), m_options(options), m_geometry(geometry),
-      m_model(geometry, cacheDirectory()) {
+      m_model(geometry, options.method, cacheDirectory()) {
     QSettings settings;
     chooseLook(settings);
     m_window = std::make_unique<OperatorWindow>(geometry, serialPortPaths);

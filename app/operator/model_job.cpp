@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/operator/model_job.h"
 
+#include "core/finite_step/finite_step_solver.h"
 #include "core/kinematics/forward_methods.h"
 #include "core/kinematics/model_cache.h"
 
@@ -12,12 +13,14 @@
 namespace hexapose {
 
 namespace {
-constexpr std::string_view kMethod = "mpr3-nr";
+constexpr std::string_view kFiniteSteps = "fsi";
+constexpr int kStepsOfACycle = 100; ///< from one measurement to the next the legs go a millimetre at most
 constexpr std::string_view kMethodWithoutModel = "newton";
 } // namespace
 
-ModelJob::ModelJob(const PlatformGeometry& geometry, const std::filesystem::path& cache, QObject* parent)
-    : QObject(parent), m_geometry(geometry), m_cache(cache) {
+ModelJob::ModelJob(const PlatformGeometry& geometry, const std::string& method,
+                   const std::filesystem::path& cache, QObject* parent)
+    : QObject(parent), m_geometry(geometry), m_method(method), m_cache(cache) {
     qRegisterMetaType<ReadySolver>();
 }
 
@@ -37,7 +40,17 @@ void ModelJob::start() {
 // On the job's own thread; a signal is carried over to the receiver's.
 void ModelJob::work() {
     try {
-        const ForwardMethod* method = findForwardMethod(kMethod);
+        if (m_method == kFiniteSteps) {
+            emit ready(
+                {std::make_unique<FiniteStepSolver>(m_geometry, FiniteStepOptions{.steps = kStepsOfACycle}),
+                 {}});
+            return;
+        }
+        const ForwardMethod* method = findForwardMethod(m_method);
+        if (method->modelDegree == 0) {
+            emit ready({makeForwardSolver(*method, m_geometry, nullptr, NewtonOptions{}), {}});
+            return;
+        }
         const TrainingSpec spec = defaultTrainingSpec(m_geometry, method->modelDegree);
         const auto cached = loadOrTrainModel(m_geometry, spec, m_cache, [this](double part) {
             emit progressed(part);

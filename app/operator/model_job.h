@@ -22,12 +22,14 @@ struct ReadySolver {
     std::string modelFingerprint; ///< empty: no model
 };
 
-/// Reads or trains the model of a platform on a thread of its own; the signals come on the thread of this
-/// object.
+/// Makes the solver: reads or trains the model of a platform, where the method needs one, on a thread of its
+/// own; the signals come on the thread of this object.
 class ModelJob final : public QObject {
     Q_OBJECT
 public:
-    ModelJob(const PlatformGeometry& geometry, const std::filesystem::path& cache, QObject* parent = nullptr);
+    /// method: its word on the command line, one of those that refine (mpr3-nr, mpr2-nr, newton) or fsi.
+    ModelJob(const PlatformGeometry& geometry, const std::string& method, const std::filesystem::path& cache,
+             QObject* parent = nullptr);
     ~ModelJob() override; ///< cancels and waits
     void start();
     void cancel() { m_cancelled = true; }
@@ -44,6 +46,7 @@ private:
     void work();
 
     PlatformGeometry m_geometry;
+    std::string m_method;
     std::filesystem::path m_cache;
     std::atomic<bool> m_cancelled{false};
     std::unique_ptr<QThread> m_thread;

@@ -6,6 +6,9 @@
 #include "core/geometry/number_text.h"
 #include "ui/common/language.h"
 
+#include <algorithm>
+#include <array>
+#include <string_view>
 #include <unistd.h>
 
 #include <cerrno>
@@ -35,6 +38,14 @@ QString languageOf(const std::string& text) {
         throw InputError("--language " + text, "no such language; there are " + known);
     }
     return code;
+}
+
+std::string methodOf(const std::string& text) {
+    constexpr std::array<std::string_view, 4> kMethods{"mpr3-nr", "mpr2-nr", "newton", "fsi"};
+    if (std::find(kMethods.begin(), kMethods.end(), text) == kMethods.end()) {
+        throw InputError("--method " + text, "no such method; there are mpr3-nr, mpr2-nr, newton, fsi");
+    }
+    return text;
 }
 
 ThemeKind themeOf(const std::string& text) {
@@ -123,6 +134,8 @@ OperatorOptions parseOperatorOptions(const std::vector<std::string>& arguments) 
             serial.baud = baudOf(words.value());
         } else if (name == "--platform") {
             options.platform = words.value();
+        } else if (name == "--method") {
+            options.method = methodOf(words.value());
         } else if (name == "--log-dir") {
             options.logDirectory = words.value();
         } else if (name == "--language") {
@@ -156,6 +169,9 @@ std::string operatorHelp() {
            "  --port PATH       connect to this serial port at once\n"
            "  --baud N          its baud rate (115200)\n"
            "  --platform FILE   platform file, or the name of a shipped one (laboratory)\n"
+           "  --method M        forward method: mpr3-nr (the default), mpr2-nr, newton, or fsi, which "
+           "follows\n"
+           "                    the way of the legs in small steps\n"
            "  --log-dir DIR     where the logs go\n"
            "  --language CODE   en or zh_CN (the desktop's)\n"
            "  --theme light|dark\n"

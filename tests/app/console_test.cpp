@@ -185,6 +185,7 @@ TEST(Console, BadOptionsAreRefused) {
                       {"--language", {"--language"}},
                       {"--virtual --port /dev/ttyNOWHERE", {"--port", "--virtual"}},
                       {"--virtual=yes", {"--virtual"}},
+                      {"--virtual --method guess", {"--method", "guess", "fsi"}},
                       {"--virtual --headless --virtual", {"--virtual", "twice"}},
                       {"--headless --baud 9600 --baud=9600", {"--baud", "twice"}},
                       {"--headless --port /dev/ttyNOWHERE", {"/dev/ttyNOWHERE"}},
