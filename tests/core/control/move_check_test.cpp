@@ -42,7 +42,7 @@ protected:
     }
     static constexpr int kLeg = 2;
     const PlatformGeometry m_machine = testing::laboratory();
-    const MotionBounds m_bounds = completed({}, m_machine);
+    const MotionBounds m_bounds = completed(MotionBounds{}, m_machine);
     MotionLimits m_limits;
 };
 

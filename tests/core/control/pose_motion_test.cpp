@@ -55,7 +55,7 @@ TEST(Displacement, LeadsFromOnePoseToTheOtherTheShorterWay) {
 
 TEST(StraightMotion, IsStraightTurnsAboutOneAxisAndKeepsItsLimits) {
     const PlatformGeometry machine = laboratory();
-    const MotionBounds bounds = completed({}, machine);
+    const MotionBounds bounds = completed(MotionBounds{}, machine);
     const Pose from = poseMm(-10, 5, -12, 4, -3, 2), to = poseMm(20, -14, 25, -6, 8, 15);
     const StraightMotion motion(machine, from, to, bounds);
     expectConsistent(motion);
@@ -81,7 +81,7 @@ TEST(StraightMotion, IsStraightTurnsAboutOneAxisAndKeepsItsLimits) {
 
 TEST(StraightMotion, IsTheFastestUnderItsLimits) {
     const PlatformGeometry machine = laboratory();
-    MotionBounds bounds = completed({}, machine);
+    MotionBounds bounds = completed(MotionBounds{}, machine);
     bounds.legSpeed = bounds.legAcceleration = 1e3; // only P's limits count
     const Pose to = poseMm(0, 0, 20, 0, 0, 0);
     const StraightMotion motion(machine, Pose{}, to, bounds);
@@ -93,7 +93,7 @@ TEST(StraightMotion, IsTheFastestUnderItsLimits) {
 TEST(StraightMotion, OfNoLengthIsOverAtOnce) {
     const PlatformGeometry machine = laboratory();
     const Pose here = poseMm(3, 4, 5, 1, 2, 3);
-    const StraightMotion motion(machine, here, here, completed({}, machine));
+    const StraightMotion motion(machine, here, here, completed(MotionBounds{}, machine));
     EXPECT_EQ(motion.duration(), 0.0);
     EXPECT_EQ(motion.at(0.0).pose.toVector(), here.toVector());
     EXPECT_EQ(motion.at(1.0).twist, Twist::Zero());
