@@ -31,7 +31,7 @@ void JogPanel::build() {
     m_frame->addItems({QString(), QString()});
     m_step->addItem(QString(), 0.0);
     for (const double step : kJogSteps) {
-        m_step->addItem(QString::fromStdString(formatNumber(step)), step);
+        m_step->addItem(QString::fromStdString(formatNumber(step)) + QString::fromUtf8(" mm / \u00b0"), step);
     }
     auto* choices = new QGridLayout;
     choices->setHorizontalSpacing(6);

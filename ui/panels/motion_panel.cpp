@@ -87,8 +87,11 @@ void MotionPanel::wire() {
         emit motionBegins();
         run(pose, MotionMode::Workspace);
     });
-    connect(m_jog, &JogPanel::jogRequested, this,
-            [this](const JogDirection& direction) { emit commandRequested(JogCommand{direction}); });
+    connect(m_jog, &JogPanel::jogRequested, this, [this](const JogDirection& direction) {
+        endLists(); // one that stands between two poses would take the jog for its own motion
+        emit motionBegins();
+        emit commandRequested(JogCommand{direction});
+    });
     connect(m_jog, &JogPanel::releaseRequested, this, [this] { emit commandRequested(JogReleaseCommand{}); });
     m_wayPoints->setTargetSource([this] { return m_target->target(); });
     connect(m_wayPoints, &WayPointsPanel::holdRequested, m_speed, &SpeedControl::setHeld);

@@ -18,6 +18,7 @@ namespace {
 constexpr int kSlowestPercent = 5;
 constexpr int kFullPercent = 100;
 constexpr int kSpeedStep = 5;      // percent
+constexpr int kSliderHeight = 24; // the whole of the handle
 constexpr int kSayAgainMs = 250;   // a command takes a cycle or two to show
 constexpr double kSamePart = 1e-6; // of full speed
 } // namespace
@@ -30,6 +31,7 @@ SpeedControl::SpeedControl(QWidget* parent)
     m_slider->setPageStep(2 * kSpeedStep);
     m_slider->setValue(kFullPercent);
     m_slider->setMinimumWidth(60);
+    m_slider->setMinimumHeight(kSliderHeight);
     m_slider->installEventFilter(this);
     m_readOut->setDigits(6);
     m_readOut->setMaximumWidth(m_readOut->minimumWidth());

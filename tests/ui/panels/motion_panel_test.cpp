@@ -3,9 +3,13 @@
 #include "tests/ui/panels/synthetic_machine.h"
 #include "tests/ui/screen_reader.h"
 #include "ui/common/pose_field.h"
+#include "ui/panels/guided_test_panel.h"
+#include "ui/panels/jog_panel.h"
 #include "ui/panels/motion_panel.h"
 #include "ui/panels/speed_control.h"
 #include "ui/panels/target_panel.h"
+#include "ui/panels/way_point_table.h"
+#include "ui/panels/way_points_panel.h"
 
 #include <QComboBox>
 #include <QPushButton>
@@ -83,6 +87,27 @@ TEST_F(MotionPanelTest, HeldIsZeroAndThenTheOldSpeed) {
     ASSERT_EQ(commands.size(), 2U);
     EXPECT_EQ(std::get<SpeedCommand>(commands[0]).part, 0.0);
     EXPECT_EQ(std::get<SpeedCommand>(commands[1]).part, 1.0);
+}
+
+TEST_F(MotionPanelTest, OneMotionAtATime) {
+    QSignalSpy begins(&panel, &MotionPanel::motionBegins);
+    const auto play = [this] {
+        panel.wayPoints().table().setPoses({poseOf(1, 0, 0, 0, 0, 0), poseOf(2, 0, 0, 0, 0, 0)});
+        panel.wayPoints().play();
+        EXPECT_TRUE(panel.wayPoints().isRunning());
+    };
+    play();
+    emit panel.jog().jogRequested({});
+    EXPECT_FALSE(panel.wayPoints().isRunning());
+    ASSERT_FALSE(commands.empty());
+    EXPECT_TRUE(std::holds_alternative<JogCommand>(commands.back()));
+    play();
+    button("Run")->click();
+    EXPECT_FALSE(panel.wayPoints().isRunning());
+    play();
+    emit panel.guidedTest().started();
+    EXPECT_FALSE(panel.wayPoints().isRunning());
+    EXPECT_EQ(begins.count(), 6) << "a report ends by each of them";
 }
 
 TEST_F(MotionPanelTest, StopIsAlwaysThereAndOnOneKey) {
