@@ -18,7 +18,7 @@ namespace {
 constexpr int kSlowestPercent = 5;
 constexpr int kFullPercent = 100;
 constexpr int kSpeedStep = 5;      // percent
-constexpr int kSliderHeight = 24; // the whole of the handle
+constexpr int kSliderHeight = 24;  // the whole of the handle
 constexpr int kSayAgainMs = 250;   // a command takes a cycle or two to show
 constexpr double kSamePart = 1e-6; // of full speed
 } // namespace
