@@ -23,6 +23,9 @@ namespace hexapose {
 namespace {
 
 constexpr int kJudgeEveryMs = 250;
+constexpr int kJudgeInMotionEveryMs = 1000;
+constexpr double kSamePlace = 1e-4;    // m
+constexpr double kSameAttitude = 1e-3; // rad
 constexpr int kValidityLines = 3;
 
 QString rangeText(const std::pair<double, double>& range, int coordinate) {
@@ -156,10 +159,23 @@ void TargetPanel::showSnapshot(const Snapshot& snapshot) {
     m_measured = live ? snapshot.measuredPose : std::nullopt;
     m_judge.follow(snapshot);
     m_copy->setEnabled(m_measured.has_value());
-    const bool due = !m_sinceJudged.isValid() || m_sinceJudged.elapsed() > kJudgeEveryMs;
+    // A judgement takes some milliseconds, for which every key waits: none where nothing has changed.
+    const bool moving = snapshot.state == RunState::Moving;
+    const bool due =
+        !m_sinceJudged.isValid() ||
+        (m_sinceJudged.elapsed() > (moving ? kJudgeInMotionEveryMs : kJudgeEveryMs) && hasMoved());
     if (had != m_measured.has_value() || (due && isVisible())) {
         judge();
     }
+}
+
+/// Since the last judgement, by more than the measurement's rounding.
+bool TargetPanel::hasMoved() const {
+    if (!m_measured || !m_judgedFrom) {
+        return m_measured.has_value() != m_judgedFrom.has_value();
+    }
+    const Twist gone = displacement(*m_judgedFrom, *m_measured);
+    return gone.head<3>().norm() > kSamePlace || gone.tail<3>().norm() > kSameAttitude;
 }
 
 void TargetPanel::showEvent(QShowEvent* event) {
@@ -201,6 +217,7 @@ void TargetPanel::judge() {
         return;
     }
     m_sinceJudged.start();
+    m_judgedFrom = m_measured;
     const auto pose = target();
     if (!pose) {
         m_verdict.reset();

@@ -57,6 +57,7 @@ private:
     void buildValidity(QVBoxLayout& column);
     void buildButtons(QVBoxLayout& column);
     void judge();
+    bool hasMoved() const;
     void showRanges();
     void showVerdict();
     void updateRun();
@@ -66,7 +67,8 @@ private:
     MotionMode m_mode = MotionMode::Joint;
     QString m_hindrance; ///< why Run cannot be pressed, though something is connected
     bool m_connected = false;
-    std::optional<Pose> m_measured; ///< present and usable
+    std::optional<Pose> m_measured;   ///< present and usable
+    std::optional<Pose> m_judgedFrom; ///< where it was then
     std::optional<Verdict> m_verdict;
     QElapsedTimer m_sinceJudged;
     std::array<PoseField*, 6> m_fields{};
