@@ -53,11 +53,11 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    /// Of one direction in the arrays of buttons and ranges.
+    static std::size_t slot(int axis, bool up) { return 2 * static_cast<std::size_t>(axis) + (up ? 1U : 0U); }
     void build();
     void addRow(QGridLayout& grid, int axis);
-    QPushButton*& button(int axis, bool up) {
-        return m_buttons[static_cast<std::size_t>(2 * axis + (up ? 1 : 0))];
-    }
+    QPushButton*& button(int axis, bool up) { return m_buttons[slot(axis, up)]; }
     JogDirection directionOf(int axis, bool up) const;
     std::optional<double> step(int axis) const; ///< m or rad; nothing: hold
     bool canHold() const;

@@ -99,7 +99,7 @@ void JogPanel::addRow(QGridLayout& grid, int axis) {
         connect(made, &QPushButton::clicked, this, [this, axis, up] { takeStep(directionOf(axis, up)); });
         QLabel* range = makeMutedLabel(m_pad, (up ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
         range->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("-000.0")));
-        m_ranges[static_cast<std::size_t>(2 * axis + (up ? 1 : 0))] = range;
+        m_ranges[slot(axis, up)] = range;
         grid.addWidget(range, axis + 1, up ? 4 : 0);
         grid.addWidget(made, axis + 1, up ? 3 : 1);
     }
@@ -118,7 +118,7 @@ void JogPanel::showRanges() {
         for (const bool up : {false, true}) {
             const auto way =
                 live ? jogRange(m_judge, *m_latest.measuredPose, directionOf(axis, up)) : std::nullopt;
-            m_ranges[static_cast<std::size_t>(2 * axis + (up ? 1 : 0))]->setText(
+            m_ranges[slot(axis, up)]->setText(
                 way ? QString::fromStdString(formatFixed(shownCoordinate(axis, *way), 1)) : ReadOut::dash());
         }
     }
