@@ -77,8 +77,12 @@ void AttitudeRun::take(const Snapshot& snapshot) {
             m_loop.post(ClearCommand{});
         return;
     }
-    if (const std::optional<Pose> next = m_sequence.add(snapshot))
-        m_loop.post(RunCommand{*next, m_options.mode});
+    if (const std::optional<Pose> next = m_sequence.add(snapshot)) {
+        if (m_options.sweep)
+            m_loop.post(SweepCommand{*m_options.sweep});
+        else
+            m_loop.post(RunCommand{*next, m_options.mode});
+    }
     if (m_sequence.phase() == AttitudeSequence::Phase::Failed && !m_failure)
         m_failure = endingWords(snapshot);
     m_over = m_failure.has_value();

@@ -21,9 +21,10 @@ class AttitudeRun {
 public:
     struct Options {
         MotionMode mode = MotionMode::Joint;
-        double speed = 1.0;      ///< 0..1, part of full speed
-        PoseEnvelope envelope;   ///< no further from home
-        bool clearFirst = false; ///< clear a stop or fault that the controller is in
+        double speed = 1.0;                 ///< 0..1, part of full speed
+        PoseEnvelope envelope;              ///< no further from home
+        std::optional<SweepSettings> sweep; ///< in the place of the first target
+        bool clearFirst = false;            ///< clear a stop or fault that the controller is in
         std::chrono::seconds connectWithin{10};
     };
 

@@ -17,7 +17,9 @@
 #include "core/report/error_report.h"
 #include "ui/report/report_export.h"
 
+#include <array>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -97,6 +99,30 @@ std::unique_ptr<PlatformDevice> openDevice(const std::string& port, const Platfo
     return makeSerialDevice(port, baud);
 }
 
+/// "z,5,0.1,2,20": 5 mm along z, from 0.1 to 2 Hz in 20 s.
+std::optional<SweepSettings> sweepOf(const Arguments& arguments) {
+    if (!arguments.has("sweep"))
+        return std::nullopt;
+    if (arguments.has("targets"))
+        throw InputError("--sweep", "cannot be used together with --targets");
+    const std::string text = arguments.requiredText("sweep");
+    const QStringList words = QString::fromStdString(text).split(QLatin1Char(','));
+    const QStringList axes{QStringLiteral("x"),     QStringLiteral("y"),    QStringLiteral("z"),
+                           QStringLiteral("alpha"), QStringLiteral("beta"), QStringLiteral("gamma")};
+    SweepSettings sweep;
+    sweep.axis = words.size() == 5 ? static_cast<int>(axes.indexOf(words[0])) : -1;
+    std::array<double, 4> numbers{};
+    for (std::size_t i = 0; i < numbers.size() && sweep.axis >= 0; ++i)
+        numbers[i] = parseNumber(words[static_cast<qsizetype>(i) + 1].toStdString()).value_or(std::nan(""));
+    sweep.amplitude = sweep.axis < 3 ? metresFromMm(numbers[0]) : radiansFromDeg(numbers[0]);
+    sweep.startFrequency = numbers[1];
+    sweep.endFrequency = numbers[2];
+    sweep.seconds = numbers[3];
+    if (const auto fault = faultOf(sweep))
+        throw InputError("--sweep", "'" + text + "': " + *fault + " (expected AXIS,AMPLITUDE,HZ,HZ,SECONDS)");
+    return sweep;
+}
+
 } // namespace
 
 int runCommand(const QStringList& words) {
@@ -105,6 +131,8 @@ int runCommand(const QStringList& words) {
         {{"port", "PATH|virtual", "Serial port, or the built-in virtual platform."},
          {"baud", "N", "Baud rate (default: 115200)."},
          {"targets", "POSES.csv", "Attitudes to visit, in order."},
+         {"sweep", "AXIS,A,F0,F1,T",
+          "In place of targets: a sine about where it is, of A mm or deg, from F0 to F1 Hz in T s."},
          {"mode", "joint|workspace", "Leg by leg, or closed on the pose (default: joint)."},
          {"speed", "PERCENT", "Part of full speed (default: 100)."},
          {"envelope-mm", "E", "No further from home along x, y, z (default: no limit)."},
@@ -120,7 +148,8 @@ int runCommand(const QStringList& words) {
          {"form", "F", "Form of a step of fsi, as in 'forward'."}},
         words);
     const std::string port = arguments.requiredText("port");
-    const std::string targetsFile = arguments.requiredText("targets");
+    const std::optional<SweepSettings> sweep = sweepOf(arguments);
+    const std::string targetsFile = sweep ? std::string() : arguments.requiredText("targets");
     const std::string logFile = arguments.requiredText("log");
     const std::string modeWord = arguments.text("mode", "joint");
     const std::optional<MotionMode> mode = motionModeFromWord(modeWord);
@@ -131,7 +160,7 @@ int runCommand(const QStringList& words) {
         throw InputError("--speed", formatNumber(percent) + " is above 100");
     const int baud = static_cast<int>(arguments.integer("baud", 115200, 50, 12000000));
     const PlatformGeometry platform = arguments.platform();
-    const std::vector<Pose> targets = readPoseList(targetsFile);
+    const std::vector<Pose> targets = sweep ? std::vector<Pose>{Pose{}} : readPoseList(targetsFile);
     PoseEnvelope envelope;
     if (arguments.has("envelope-mm"))
         envelope.furthest.head<3>().setConstant(metresFromMm(arguments.requiredPositive("envelope-mm")));
@@ -160,7 +189,7 @@ int runCommand(const QStringList& words) {
 
     catchInterrupts();
     AttitudeRun run(*device, platform, *chosen.solver, log, targets,
-                    {*mode, percent / 100.0, envelope, arguments.has("clear")});
+                    {*mode, percent / 100.0, envelope, sweep, arguments.has("clear")});
     run.run(interrupted);
 
     const ErrorReport report = makeErrorReport(platform, *chosen.solver, run.samples());

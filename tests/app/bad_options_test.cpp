@@ -327,6 +327,7 @@ TEST(BadOptions, OfRunAndNothingIsSentOrDamaged) {
                          {good + "--baud fast", {"--baud", "fast"}},
                          {good + "--baud -9600", {"--baud", "-9600"}},
                          {good + "--mode fast", {"--mode", "fast"}},
+                         {good + "--sweep z,5,0.1,1,10", {"--sweep", "--targets"}},
                          {good + "--speed 0", {"--speed", "0"}},
                          {good + "--speed 101", {"--speed", "101"}},
                          {good + "--envelope-mm -5", {"--envelope-mm", "-5"}},
