@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <system_error>
 
 namespace hexapose {
 
@@ -102,6 +103,13 @@ std::int64_t Arguments::integer(const char* option, std::int64_t fallback, std::
 
 PlatformGeometry Arguments::platform() const {
     return loadPlatform(findPlatformFile(text("platform", "laboratory")));
+}
+
+void makeDirectory(const std::filesystem::path& directory) {
+    std::error_code error;
+    std::filesystem::create_directories(directory, error);
+    if (error)
+        throw InputError(directory.string(), "cannot be made: " + error.message());
 }
 
 } // namespace hexapose

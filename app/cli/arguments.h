@@ -10,6 +10,7 @@
 #include <QStringList>
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -46,5 +47,8 @@ private:
     QCommandLineParser m_parser;
     QString m_command;
 };
+
+/// For the files of a command, with its parents. Throws InputError when it cannot be made.
+void makeDirectory(const std::filesystem::path& directory);
 
 } // namespace hexapose

@@ -17,7 +17,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <string>
-#include <system_error>
 
 namespace hexapose {
 
@@ -70,22 +69,17 @@ experiment::TrialSettings settingsOf(const Arguments& arguments) {
 int experimentCommand(const QStringList& words) {
     const Arguments arguments(
         "experiment", {QStringLiteral("closed-loop")},
-        {{"out", "DIR", "Directory of the text, CSV, pictures and PDF."},
-         {"moves", "N", "Moves of each mode (default: 20)."},
-         {"seed", "S", "Of the targets (default: 1)."},
-         {"push-mm", "P", "Push of one leg during each move (default: 2)."},
-         {"push-s", "T", "Seconds that a push lasts (default: 0.6)."},
-         {"no-push", "", "Push no leg."},
-         {"time-constants-ms", "T|T1,...,T6", "Of the legs (default: 50,70,90,110,130,150)."},
-         {"leg-limit-mm-s", "V", "Fastest that the legs can go (default: 100)."},
-         {"resolution-mm", "R", "Step of the reported lengths (default: 0.1)."},
-         {"noise-mm", "N", "Standard deviation of the reported lengths (default: none)."},
-         {"method", "M", "Forward method, as in 'forward'."},
-         {"model", "FILE", "Regression model, as in 'forward'."},
-         {"tolerance-mm", "T", "Largest residual of a solution, as in 'forward'."},
-         {"max-iterations", "N", "Most Newton iterations, as in 'forward'."},
-         {"steps", "N", "Steps of fsi, as in 'forward'."},
-         {"form", "F", "Form of a step of fsi, as in 'forward'."}},
+        withSolverOptions(
+            {{"out", "DIR", "Directory of the text, CSV, pictures and PDF."},
+             {"moves", "N", "Moves of each mode (default: 20)."},
+             {"seed", "S", "Of the targets (default: 1)."},
+             {"push-mm", "P", "Push of one leg during each move (default: 2)."},
+             {"push-s", "T", "Seconds that a push lasts (default: 0.6)."},
+             {"no-push", "", "Push no leg."},
+             {"time-constants-ms", "T|T1,...,T6", "Of the legs (default: 50,70,90,110,130,150)."},
+             {"leg-limit-mm-s", "V", "Fastest that the legs can go (default: 100)."},
+             {"resolution-mm", "R", "Step of the reported lengths (default: 0.1)."},
+             {"noise-mm", "N", "Standard deviation of the reported lengths (default: none)."}}),
         words);
     if (arguments.operand(0) != "closed-loop")
         throw InputError("experiment",
@@ -93,10 +87,7 @@ int experimentCommand(const QStringList& words) {
     const std::filesystem::path directory = arguments.requiredText("out");
     const experiment::TrialSettings settings = settingsOf(arguments);
     const ChosenSolver chosen = chooseSolver(arguments, settings.platform);
-    std::error_code error;
-    std::filesystem::create_directories(directory, error);
-    if (error)
-        throw InputError(directory.string(), "cannot be made: " + error.message());
+    makeDirectory(directory);
 
     const std::vector<Pose> targets = experiment::drawTargets(settings);
     experiment::TrialSettings calm = settings;

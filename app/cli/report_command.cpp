@@ -43,14 +43,8 @@ PlatformGeometry platformOf(const SessionLog& log, const Arguments& arguments) {
 int reportCommand(const QStringList& words) {
     const Arguments arguments(
         "report", {QStringLiteral("LOG.csv")},
-        {{"out", "DIR", "Directory of report.pdf, errors.csv, errors.png and errors.svg."},
-         {"resolution-mm", "R", "Resolution of the lengths (default: 0.1)."},
-         {"method", "M", "Forward method, as in 'forward'."},
-         {"model", "FILE", "Regression model, as in 'forward'."},
-         {"tolerance-mm", "T", "Largest residual of a solution, as in 'forward'."},
-         {"max-iterations", "N", "Most Newton iterations, as in 'forward'."},
-         {"steps", "N", "Steps of fsi, as in 'forward'."},
-         {"form", "F", "Form of a step of fsi, as in 'forward'."}},
+        withSolverOptions({{"out", "DIR", "Directory of report.pdf, errors.csv, errors.png and errors.svg."},
+                           {"resolution-mm", "R", "Resolution of the lengths (default: 0.1)."}}),
         words);
     const std::string directory = arguments.requiredText("out");
     const double resolution = metresFromMm(arguments.positive("resolution-mm", 0.1));

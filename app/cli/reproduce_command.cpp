@@ -14,7 +14,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <string>
-#include <system_error>
 #include <vector>
 
 namespace hexapose {
@@ -47,13 +46,6 @@ PlatformGeometry publishedPlatform(const Arguments& arguments) {
                                            "\" is not the laboratory platform, to which the published values "
                                            "belong");
     return platform;
-}
-
-void makeDirectory(const fs::path& directory) {
-    std::error_code error;
-    fs::create_directories(directory, error);
-    if (error)
-        throw InputError(directory.string(), "cannot be made: " + error.message());
 }
 
 std::vector<Exhibit> makeExhibits(const std::vector<ExhibitMaker>& makers, const PlatformGeometry& platform) {

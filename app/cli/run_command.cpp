@@ -128,24 +128,19 @@ std::optional<SweepSettings> sweepOf(const Arguments& arguments) {
 int runCommand(const QStringList& words) {
     const Arguments arguments(
         "run", {},
-        {{"port", "PATH|virtual", "Serial port, or the built-in virtual platform."},
-         {"baud", "N", "Baud rate (default: 115200)."},
-         {"targets", "POSES.csv", "Attitudes to visit, in order."},
-         {"sweep", "AXIS,A,F0,F1,T",
-          "In place of targets: a sine about where it is, of A mm or deg, from F0 to F1 Hz in T s."},
-         {"mode", "joint|workspace", "Leg by leg, or closed on the pose (default: joint)."},
-         {"speed", "PERCENT", "Part of full speed (default: 100)."},
-         {"envelope-mm", "E", "No further from home along x, y, z (default: no limit)."},
-         {"envelope-deg", "E", "No further from home in alpha, beta, gamma."},
-         {"log", "LOG.csv", "The log to write; never one that exists."},
-         {"report", "DIR", "Write the error report into this directory."},
-         {"clear", "", "Clear a stop or fault of the controller first."},
-         {"method", "M", "Forward method, as in 'forward'."},
-         {"model", "FILE", "Regression model, as in 'forward'."},
-         {"tolerance-mm", "T", "Largest residual of a solution, as in 'forward'."},
-         {"max-iterations", "N", "Most Newton iterations, as in 'forward'."},
-         {"steps", "N", "Steps of fsi, as in 'forward'."},
-         {"form", "F", "Form of a step of fsi, as in 'forward'."}},
+        withSolverOptions(
+            {{"port", "PATH|virtual", "Serial port, or the built-in virtual platform."},
+             {"baud", "N", "Baud rate (default: 115200)."},
+             {"targets", "POSES.csv", "Attitudes to visit, in order."},
+             {"sweep", "AXIS,A,F0,F1,T",
+              "In place of targets: a sine about where it is, of A mm or deg, from F0 to F1 Hz in T s."},
+             {"mode", "joint|workspace", "Leg by leg, or closed on the pose (default: joint)."},
+             {"speed", "PERCENT", "Part of full speed (default: 100)."},
+             {"envelope-mm", "E", "No further from home along x, y, z (default: no limit)."},
+             {"envelope-deg", "E", "No further from home in alpha, beta, gamma."},
+             {"log", "LOG.csv", "The log to write; never one that exists."},
+             {"report", "DIR", "Write the error report into this directory."},
+             {"clear", "", "Clear a stop or fault of the controller first."}}),
         words);
     const std::string port = arguments.requiredText("port");
     const std::optional<SweepSettings> sweep = sweepOf(arguments);

@@ -79,6 +79,16 @@ StepForm stepForm(const Arguments& arguments, StepForm fallback) {
     return *form;
 }
 
+std::vector<OptionSpec> withSolverOptions(std::vector<OptionSpec> own) {
+    own.insert(own.end(), {{"method", "M", "Forward method, as in 'forward'."},
+                           {"model", "FILE", "Regression model, as in 'forward'."},
+                           {"tolerance-mm", "T", "Largest residual of a solution, as in 'forward'."},
+                           {"max-iterations", "N", "Most Newton iterations, as in 'forward'."},
+                           {"steps", "N", "Steps of fsi, as in 'forward'."},
+                           {"form", "F", "Form of a step of fsi, as in 'forward'."}});
+    return own;
+}
+
 ChosenSolver chooseSolver(const Arguments& arguments, const PlatformGeometry& platform) {
     const std::string word = arguments.text("method", "mpr3-nr");
     if (word == kFiniteSteps)

@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace hexapose {
 
@@ -17,6 +18,9 @@ struct ChosenSolver {
     std::unique_ptr<ForwardSolver> solver;
     std::string modelFingerprint; ///< empty: no model
 };
+
+/// A command's own options, and those that chooseSolver() reads.
+std::vector<OptionSpec> withSolverOptions(std::vector<OptionSpec> own);
 
 /// The solver of --method, --model, --tolerance-mm, --max-iterations, --steps and --form. A method that needs
 /// a model gets the one of --model, or the platform's own, trained on first use with a progress bar on a

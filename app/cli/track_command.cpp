@@ -17,7 +17,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <string>
-#include <system_error>
 
 namespace hexapose {
 
@@ -86,10 +85,7 @@ int trackCommand(const QStringList& words) {
         drive == "reference" ? referenceDrive(system.mechanism()) : readDrive(drive, system.mechanism());
     const Track track = trackMotion(system, *path, options);
 
-    std::error_code error;
-    fs::create_directories(directory, error);
-    if (error)
-        throw InputError(directory.string(), "cannot be made: " + error.message());
+    makeDirectory(directory);
     writeWholeFile(directory / "tracking.csv", QByteArray::fromStdString(reproduce::trackCsv(system, track)));
     savePicture(reproduce::trackingPicture(system, track), directory / "tracking");
     const std::string summary = reproduce::trackSummary(track);

@@ -11,29 +11,9 @@ namespace {
 
 /// Events after which the attitude will not be reached.
 bool endsTheRun(EventCode code) {
-    switch (code) {
-    case EventCode::MoveRefused:
-    case EventCode::CommandRefused:
-    case EventCode::NotSettled:
-    case EventCode::StopRequested:
-    case EventCode::StoppedByController:
-    case EventCode::StoppedOnStaleData:
-    case EventCode::StoppedOnSolver:
-    case EventCode::StoppedOnRefusal:
-    case EventCode::StoppedOnFollowingError:
-    case EventCode::StoppedOnNoEcho:
-    case EventCode::StoppedOnLimits:
-    case EventCode::StoppedOnNewIdentity:
-    case EventCode::StoppedAfterLoss:
-    case EventCode::ControllerFault:
-    case EventCode::PreparationFailed:
-    case EventCode::ClockWentBack:
-    case EventCode::LinkLost:
-    case EventCode::LoopFailed:
-        return true;
-    default:
-        return false;
-    }
+    return isFault(code) || code == EventCode::MoveRefused || code == EventCode::CommandRefused ||
+           code == EventCode::NotSettled || code == EventCode::StopRequested ||
+           code == EventCode::PreparationFailed;
 }
 
 } // namespace
