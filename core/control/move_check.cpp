@@ -4,13 +4,13 @@
 // Moves judged whole, before they start.
 
 #include "core/control/limits.h"
+#include "core/geometry/singular_values.h"
 #include "core/kinematics/inverse_kinematics.h"
 #include "core/kinematics/jacobian.h"
 #include "core/kinematics/leg_equations.h"
 #include "core/kinematics/newton_raphson.h"
 
 #include <Eigen/LU>
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <array>
@@ -58,7 +58,7 @@ public:
         const LegEquations::Matrix J = equations.jacobian(m_evaluation);
         if (!J.allFinite())
             return;
-        m_smallest = Eigen::JacobiSVD<LegEquations::Matrix>(J).singularValues()[5];
+        m_smallest = singularValues(J)[5];
         m_determinant = J.determinant();
     }
     double smallest() const { return m_smallest; }

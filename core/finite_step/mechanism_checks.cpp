@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "core/finite_step/mechanism_checks.h"
 
+#include "core/geometry/singular_values.h"
+
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
@@ -85,7 +86,7 @@ std::string outputFault(const Mechanism& mechanism) {
         const Eigen::Vector3d arm = point - sum / static_cast<double>(body.size());
         spread += arm * arm.transpose();
     }
-    const Eigen::Vector3d extents = Eigen::JacobiSVD<Eigen::Matrix3d>(spread).singularValues();
+    const Eigen::Vector3d extents = singularValues(Eigen::MatrixXd(spread));
     if (body.size() >= 3 && extents[1] > kCoincident * extents[0])
         return {};
     return "how it is turned is told by three nodes that are not on one line; without them write turns = "

@@ -6,9 +6,8 @@
 #include "core/geometry/input_error.h"
 #include "core/geometry/number_text.h"
 #include "core/geometry/text_file.h"
+#include "core/geometry/toml_values.h"
 #include "core/geometry/units.h"
-
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <cctype>
@@ -25,61 +24,22 @@ constexpr double kMostMm = 1e9;
 
 using Keys = std::initializer_list<std::string_view>;
 
-std::string typeName(const toml::node& node) {
-    switch (node.type()) {
-    case toml::node_type::string:
-        return "text";
-    case toml::node_type::integer:
-    case toml::node_type::floating_point:
-        return "a number";
-    case toml::node_type::boolean:
-        return "true or false";
-    case toml::node_type::array:
-        return "a list";
-    case toml::node_type::table:
-        return "a table";
-    default:
-        return "a date or time";
-    }
-}
-
-/// What is common to every file of ours; every complaint carries the line it is about.
-class Values {
+/// What a mechanism's file has besides.
+class Values : public TomlValues {
 public:
-    explicit Values(const std::string& source) : m_source(source) {}
+    using TomlValues::TomlValues;
 
-    [[noreturn]] void fail(const toml::node& where, const std::string& cause) const {
-        throw InputError(m_source, std::max<long>(1, static_cast<long>(where.source().begin.line)), cause);
-    }
-    void refuseUnknown(const toml::table& table, const std::string& what, Keys known) const {
-        for (const auto& [key, node] : table)
-            if (std::find(known.begin(), known.end(), key.str()) == known.end())
-                fail(node, what + "unknown key \"" + std::string(key.str()) + "\"");
-    }
-    const toml::node& need(const toml::table& table, const std::string& what, std::string_view key) const {
-        const toml::node* node = table.get(key);
-        if (node == nullptr)
-            fail(table, what + "missing key \"" + std::string(key) + "\"");
-        return *node;
-    }
-    double number(const toml::node& node, const std::string& what) const {
-        const auto value = node.is_number() ? node.value<double>() : std::nullopt;
-        if (!value)
-            fail(node, what + " is " + typeName(node) + ", not a number");
-        if (!std::isfinite(*value) || std::abs(*value) > kMostMm)
-            fail(node, what + " is " + formatNumber(*value) + ", not a finite number of ordinary size");
-        return *value;
+    double number(const toml::node& node, const std::string& name) const {
+        const double value = TomlValues::number(node, name);
+        if (std::abs(value) > kMostMm)
+            fail(node, name + " is " + formatNumber(value) + ", not a number of ordinary size");
+        return value;
     }
     Eigen::Vector3d vector(const toml::table& table, const std::string& what, std::string_view key) const {
-        const toml::node& node = need(table, what, key);
-        const std::string name = what + std::string(key);
-        const toml::array* list = node.as_array();
-        if (list == nullptr || list->size() != 3)
-            fail(node, name + " is not a list of three numbers");
-        Eigen::Vector3d values;
+        const Eigen::Vector3d values = TomlValues::vector(table, what, key);
         for (std::size_t k = 0; k < 3; ++k)
-            values[static_cast<Eigen::Index>(k)] =
-                number(*list->get(k), name + "[" + std::to_string(k) + "]");
+            number(*table.get(key)->as_array()->get(k),
+                   what + std::string(key) + "[" + std::to_string(k) + "]");
         return values;
     }
     Eigen::Vector3d point(const toml::table& table, const std::string& what, std::string_view key) const {
@@ -91,14 +51,6 @@ public:
             fail(need(table, what, key), what + std::string(key) + " has no direction");
         return direction.normalized();
     }
-    std::string text(const toml::node& node, const std::string& what) const {
-        const auto value = node.is_string() ? node.value<std::string>() : std::nullopt;
-        if (!value || value->empty())
-            fail(node, what + " is not a text");
-        if (std::any_of(value->begin(), value->end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }))
-            fail(node, what + " holds a line break or another control character");
-        return *value;
-    }
     /// A name goes into messages and columns.
     std::string name(const toml::table& table, const std::string& what) const {
         const toml::node& node = need(table, what, "name");
@@ -107,13 +59,12 @@ public:
             return std::isalnum(c) != 0 ||
                    std::string_view("_'.+-").find(static_cast<char>(c)) != std::string_view::npos;
         };
+        if (value.empty())
+            fail(node, what + "name is empty");
         if (!std::all_of(value.begin(), value.end(), isPlain))
             fail(node, what + "name \"" + value + "\" has other characters than letters, digits and _'.+-");
         return value;
     }
-
-private:
-    const std::string& m_source;
 };
 
 /// Walks one document.
@@ -234,7 +185,7 @@ void Reader::readReference(const toml::table& table, const std::string& what, Ac
         return;
     const toml::table* reference = node->as_table();
     if (reference == nullptr)
-        m_values.fail(*node, what + "reference is " + typeName(*node) + ", not a table");
+        m_values.fail(*node, what + "reference is " + tomlTypeName(*node) + ", not a table");
     const bool isCrank = actuator.kind == ActuatorKind::Crank;
     const std::string_view key = isCrank ? "amplitude_deg" : "amplitude_mm";
     m_values.refuseUnknown(*reference, what + "reference: ", {key, "rate_deg_per_s"});
@@ -327,7 +278,7 @@ void Reader::readOutput(const toml::table& output) {
     if (turns == nullptr)
         return;
     if (!turns->is_boolean())
-        m_values.fail(*turns, "output: turns is " + typeName(*turns) + ", not true or false");
+        m_values.fail(*turns, "output: turns is " + tomlTypeName(*turns) + ", not true or false");
     m_mechanism.output.turns = turns->value<bool>().value_or(true);
 }
 
@@ -345,18 +296,14 @@ void Reader::readPivot(const toml::table& output) {
 }
 
 Mechanism Reader::read() {
-    const toml::node& format = m_values.need(m_root, "", "format");
-    if (!format.is_integer() || format.value<std::int64_t>() != kFormat)
-        m_values.fail(format, "format is not " + std::to_string(kFormat));
+    m_values.needFormat(m_root, kFormat);
     m_values.refuseUnknown(
         m_root, "",
         {"format", "name", "output", "fixed", "node", "actuator", "rigid", "projection", "special"});
     m_mechanism.name = m_values.text(m_values.need(m_root, "", "name"), "name");
     m_values.need(m_root, "", "actuator");
-    const toml::node& output = m_values.need(m_root, "", "output");
-    if (!output.is_table())
-        m_values.fail(output, "output is " + typeName(output) + ", not a table");
-    readOutput(*output.as_table());
+    const toml::table& output = m_values.needTable(m_root, "", "output");
+    readOutput(output);
     each("fixed", [&](const toml::table& t, const std::string& what) { addPoint(t, what, false); });
     std::size_t next = m_mechanism.points.size();
     each("node", [&](const toml::table& t, const std::string& what) { addPoint(t, what, true); });
@@ -369,16 +316,9 @@ Mechanism Reader::read() {
     each("rigid", [&](const toml::table& t, const std::string& what) { addRigid(t, what); });
     each("projection", [&](const toml::table& t, const std::string& what) { addProjection(t, what); });
     each("special", [&](const toml::table& t, const std::string& what) { addSpecial(t, what); });
-    readPivot(*output.as_table());
+    readPivot(output);
     judge(output, "output: ", outputFault(m_mechanism));
     return m_mechanism;
-}
-
-/// toml++ explains over several lines at times.
-std::string oneLine(std::string line) {
-    std::replace_if(
-        line.begin(), line.end(), [](unsigned char c) { return c < 0x20; }, ' ');
-    return line;
 }
 
 } // namespace
@@ -388,13 +328,8 @@ Mechanism loadMechanism(const std::filesystem::path& file) {
 }
 
 Mechanism parseMechanism(std::string_view toml, const std::string& sourceName) {
-    try {
-        const toml::table root = toml::parse(toml);
-        return Reader(root, sourceName).read();
-    } catch (const toml::parse_error& error) {
-        throw InputError(sourceName, std::max<long>(1, static_cast<long>(error.source().begin.line)),
-                         oneLine(std::string(error.description())));
-    }
+    const toml::table root = parseToml(toml, sourceName);
+    return Reader(root, sourceName).read();
 }
 
 } // namespace hexapose

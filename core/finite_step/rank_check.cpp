@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "core/finite_step/rank_check.h"
 
+#include "core/geometry/singular_values.h"
+
 #include <Eigen/QR>
-#include <Eigen/SVD>
 
 #include <algorithm>
 
@@ -63,8 +64,7 @@ std::string rankFault(const Eigen::MatrixXd& matrix, const std::vector<std::stri
     const std::string equations = std::to_string(matrix.rows()) + " equations";
     if (!matrix.allFinite())
         return "two points that an equation keeps apart are one at home";
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(matrix);
-    const auto& values = svd.singularValues();
+    const Eigen::VectorXd values = singularValues(matrix);
     const auto rank = (values.array() > kRankTolerance * values.maxCoeff()).count();
     const std::string rankText = "rank " + std::to_string(rank) + " at home";
     if (matrix.rows() != matrix.cols())

@@ -5,10 +5,10 @@
 #include "core/finite_step/dense_solve.h"
 #include "core/finite_step/rank_check.h"
 #include "core/geometry/input_error.h"
+#include "core/geometry/singular_values.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <Eigen/SVD>
 
 #include <cmath>
 #include <limits>
@@ -67,7 +67,7 @@ StepSystem::StepSystem(Mechanism mechanism, const std::string& source) : m_mecha
     assemble(m_homeNodes, m_homeDrive, m_homeDrive, StepSide::Drive, memory);
     if (const std::string fault = rankFault(memory.matrix, rowNames(), unknownNames()); !fault.empty())
         throw InputError(source, fault);
-    const Eigen::VectorXd values = Eigen::JacobiSVD<Eigen::MatrixXd>(memory.matrix).singularValues();
+    const Eigen::VectorXd values = singularValues(memory.matrix);
     m_homeCondition = values[0] / values[values.size() - 1];
     m_homeDeterminant = solveInPlace(memory.matrix, memory.right);
 }
@@ -286,7 +286,7 @@ double StepSystem::smallestSingularValue(const Eigen::VectorXd& nodes, const Eig
     assemble(nodes, drive, drive, StepSide::Drive, memory);
     if (!memory.matrix.allFinite())
         return 0.0;
-    return Eigen::JacobiSVD<Eigen::MatrixXd>(memory.matrix).singularValues().minCoeff();
+    return singularValues(memory.matrix).minCoeff();
 }
 
 double StepSystem::residual(const Eigen::VectorXd& nodes, const Eigen::VectorXd& drive,

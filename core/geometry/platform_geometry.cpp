@@ -4,9 +4,8 @@
 
 #include "core/geometry/fnv1a.h"
 #include "core/geometry/number_text.h"
+#include "core/geometry/singular_values.h"
 #include "core/geometry/units.h"
-
-#include <Eigen/SVD>
 
 #include <array>
 #include <charconv>
@@ -46,7 +45,7 @@ double spread(const Points& points) {
 
 bool isCollinear(const Points& points) {
     const Points centred = points.colwise() - points.rowwise().mean();
-    const Eigen::Vector3d extents = Eigen::JacobiSVD<Points>(centred).singularValues();
+    const Eigen::Vector3d extents = singularValues(Eigen::MatrixXd(centred));
     return !(extents[1] > kCoincident * extents[0]);
 }
 

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "core/kinematics/leg_equations.h"
 
+#include "core/geometry/singular_values.h"
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <Eigen/SVD>
 
 namespace hexapose {
 
@@ -127,7 +128,7 @@ double LegEquations::branchSign(const Evaluation& at, double singularValueFloor)
     if (singularValueBound(determinant) >
         singularValueFloor) // nearly always, and much cheaper than the values
         return std::copysign(1.0, determinant);
-    if (determinant == 0.0 || Eigen::JacobiSVD<Matrix>(J).singularValues()[5] < singularValueFloor)
+    if (determinant == 0.0 || singularValues(J)[5] < singularValueFloor)
         return 0.0;
     return std::copysign(1.0, determinant);
 }

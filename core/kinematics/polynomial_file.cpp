@@ -6,9 +6,8 @@
 #include "core/geometry/input_error.h"
 #include "core/geometry/number_text.h"
 #include "core/geometry/text_file.h"
+#include "core/geometry/toml_values.h"
 #include "core/kinematics/polynomial_basis.h"
-
-#include <toml++/toml.h>
 
 #include <charconv>
 #include <cmath>
@@ -193,13 +192,8 @@ PolynomialModel parseModel(std::string_view text, const std::string& sourceName,
     const std::string_view body = text.substr(0, text.size() - lineLength);
     if (text.substr(body.size()) != checksumLine(body))
         throw InputError(sourceName, "the checksum does not fit; the model file is damaged or truncated");
-    try {
-        const toml::table root = toml::parse(body);
-        return readModel(Reader(root, sourceName), geometry);
-    } catch (const toml::parse_error& error) {
-        throw InputError(sourceName, static_cast<long>(error.source().begin.line),
-                         std::string(error.description()));
-    }
+    const toml::table root = parseToml(body, sourceName);
+    return readModel(Reader(root, sourceName), geometry);
 }
 
 } // namespace hexapose

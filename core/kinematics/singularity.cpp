@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "core/kinematics/singularity.h"
 
+#include "core/geometry/singular_values.h"
 #include "core/kinematics/leg_equations.h"
 
 #include <Eigen/LU>
-#include <Eigen/SVD>
 
 #include <limits>
 
@@ -17,7 +17,7 @@ SingularityMeasure singularityMeasure(const PlatformGeometry& geometry, const Po
         equations.jacobian(equations.evaluate(equations.placementOf(pose), LegEquations::Legs::Zero()));
     if (!J.allFinite())
         return {0.0, 0.0, std::numeric_limits<double>::infinity()};
-    const auto values = Eigen::JacobiSVD<LegEquations::Matrix>(J).singularValues().eval();
+    const auto values = singularValues(J);
     return {J.determinant(), values[5], values[0] / values[5]};
 }
 

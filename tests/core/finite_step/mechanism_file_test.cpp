@@ -88,11 +88,11 @@ TEST_P(BadMechanism, IsRefusedInOneLine) {
 INSTANTIATE_TEST_SUITE_P(
     Files, BadMechanism,
     ::testing::Values(
-        BadFile{"format = 1", "format = 2", "m.toml:1: format is not 1"},
+        BadFile{"format = 1", "format = 2", "m.toml:1: unknown format 2, expected 1"},
         BadFile{"format = 1\n", "", "missing key \"format\""},
         BadFile{"format = 1", "format = \"1\"", "m.toml:1: format"},
-        BadFile{"name = \"Tripod\"", "name = 3", "m.toml:2: name is not a text"},
-        BadFile{"turns = false", "turns = 0", "m.toml:5: output: turns is a number, not true or false"},
+        BadFile{"name = \"Tripod\"", "name = 3", "m.toml:2: name is an integer, not text"},
+        BadFile{"turns = false", "turns = 0", "m.toml:5: output: turns is an integer, not true or false"},
         BadFile{"turns = false", "turns = true", "output: how it is turned"},
         BadFile{"turns = false", "spins = false", "m.toml:5: output: unknown key \"spins\""},
         BadFile{"turns = false", "pivot = \"B\"", "output: pivot names \"B\", which is not fixed"},
@@ -102,7 +102,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"[100, 0, 0]", "[100, inf, 0]", "fixed 1: position_mm[1] is inf"},
         BadFile{"[100, 0, 0]", "[100, 1e200, 0]", "fixed 1: position_mm[1] is 1e+200"},
         BadFile{"[100, 0, 0]", "[100, \"0\", 0]", "position_mm[1] is text, not a number"},
-        BadFile{"[100, 0, 0]", "[100, 0]", "m.toml:8: fixed 1: position_mm is not a list of three numbers"},
+        BadFile{"[100, 0, 0]", "[100, 0]", "m.toml:8: fixed 1: position_mm has 2 numbers, expected 3"},
         BadFile{"[100, 0, 0]", "[100 0 0]", "m.toml:8"},
         BadFile{"name = \"A2\"", "name = \"A1\"", "m.toml:10: fixed 2: another point is called \"A1\""},
         BadFile{"name = \"A2\"", "name = \"A,2\"", "fixed 2: name \"A,2\" has other characters"},
