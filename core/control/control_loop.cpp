@@ -220,13 +220,16 @@ ControlLoop::~ControlLoop() = default;
 void ControlLoop::post(const OperatorCommand& command) {
     const std::lock_guard lock(m_impl->commandMutex);
     m_impl->commands.push_back(command);
+    m_impl->stopWaits = m_impl->stopWaits || std::holds_alternative<StopCommand>(command);
 }
 
 void ControlLoop::cycle() {
     Impl& loop = *m_impl;
     const Clock::time_point begin = loop.now();
     loop.takeCommands(begin);
-    loop.feedback = loop.device.exchange(loop.nextSetPoints(begin));
+    SetPoints out = loop.nextSetPoints(begin);
+    out.hurry = &loop.stopWaits;
+    loop.feedback = loop.device.exchange(out);
     const Clock::time_point time = loop.now();
     loop.takeFeedback(time);
     loop.watchIdentity();

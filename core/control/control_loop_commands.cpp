@@ -13,6 +13,7 @@ void ControlLoop::Impl::takeCommands(Clock::time_point time) {
     {
         const std::lock_guard lock(commandMutex);
         taken.swap(commands);
+        stopWaits = false;
     }
     // Stop beats everything queued with it, before and after.
     const auto isStop = [](const OperatorCommand& c) { return std::holds_alternative<StopCommand>(c); };

@@ -11,6 +11,7 @@
 #include "core/control/workspace_controller.h"
 #include "core/kinematics/singularity.h"
 
+#include <atomic>
 #include <memory>
 #include <optional>
 #include <string>
@@ -108,6 +109,7 @@ struct ControlLoop::Impl {
 
     std::mutex commandMutex;
     std::vector<OperatorCommand> commands;
+    std::atomic<bool> stopWaits{false}; ///< among them: the present cycle is to end
 
     /// What the controller says of itself.
     struct Identity {

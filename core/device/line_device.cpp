@@ -15,6 +15,7 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds kPauseOnceLost{10};
+constexpr milliseconds kHurryWithin{2};   ///< a wait is cut in pieces of this, to see that it is to end
 constexpr double kLongestLength = 1000.0; ///< m; keeps a SET within a frame
 constexpr std::size_t kMaxUnsent = 160;   ///< bytes; two set-points waiting is one too many
 
@@ -97,10 +98,15 @@ void LineDevice::Impl::sendLengths(const LegLengths& lengths, Time time) {
     write(line::Set{nextSetNumber++, lengths});
 }
 
-void LineDevice::Impl::receive() {
+void LineDevice::Impl::receive(const std::atomic<bool>* hurry) {
     const Time deadline = options.now() + options.longestWait;
     for (Time time = options.now();;) {
-        const milliseconds left = std::chrono::ceil<milliseconds>(deadline - time);
+        milliseconds left = std::chrono::ceil<milliseconds>(deadline - time);
+        const bool hurries = hurry != nullptr && *hurry;
+        if (hurries)
+            left = milliseconds(0);
+        else if (hurry != nullptr)
+            left = std::min(left, kHurryWithin);
         const bool measured =
             feedback.lengths.has_value(); // then only what is here already: the newest counts
         const std::size_t size =
@@ -116,7 +122,7 @@ void LineDevice::Impl::receive() {
             for (const line::LineMessage& message : messages)
                 take(message, time);
         }
-        if (time >= deadline || (measured && size == 0))
+        if (time >= deadline || ((measured || hurries) && size == 0))
             return;
     }
 }
@@ -156,7 +162,7 @@ DeviceFeedback LineDevice::exchange(const SetPoints& setPoints) {
     }
     try {
         device.send(setPoints);
-        device.receive();
+        device.receive(setPoints.hurry);
         device.missAnswers();
     } catch (const ChannelError& error) {
         device.lose(error.what());

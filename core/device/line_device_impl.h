@@ -8,6 +8,7 @@
 #include "core/device/line_requests.h"
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -28,7 +29,7 @@ struct LineDevice::Impl {
     void sendRequest(DeviceRequest request, Time time);
     void sendLengths(const LegLengths& lengths, Time time);
     void write(const line::LineMessage& message);
-    void receive();
+    void receive(const std::atomic<bool>* hurry);
     void missAnswers();
     void lose(const std::string& reason);
     void count();

@@ -4,6 +4,7 @@
 
 #include "core/geometry/leg_lengths.h"
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <optional>
@@ -29,6 +30,9 @@ enum class DeviceRequest { None, Reference, Enable, Disable, Stop, Clear };
 struct SetPoints {
     std::optional<LegLengths> lengths; ///< m
     DeviceRequest request = DeviceRequest::None;
+    /// Set from any thread while exchange() waits: it then returns within about 2 ms, without a measurement
+    /// where none came. Outlives the exchange; none: nothing ends the wait early.
+    const std::atomic<bool>* hurry = nullptr;
 };
 
 enum class LinkState {
@@ -92,8 +96,9 @@ struct DeviceFeedback {
 class PlatformDevice {
 public:
     virtual ~PlatformDevice() = default;
-    /// Sends, then waits for the next measurement, but never longer than about 15 ms, so that a Stop asked
-    /// for meanwhile goes out soon. Never throws for what a controller sends; a lost port is LinkState::Lost.
+    /// Sends, then waits for the next measurement, but never longer than about 15 ms, so that what was
+    /// asked for meanwhile goes out soon; `hurry` ends the wait. Never throws for what a controller sends; a
+    /// lost port is LinkState::Lost.
     virtual DeviceFeedback exchange(const SetPoints& setPoints) = 0;
 };
 

@@ -48,6 +48,8 @@ void ScriptedDevice::obey(DeviceRequest request) {
 
 DeviceFeedback ScriptedDevice::exchange(const SetPoints& setPoints) {
     received.push_back(setPoints);
+    if (during)
+        during();
     m_now += kPeriod + std::exchange(late, std::chrono::milliseconds(0));
     obey(setPoints.request);
     if (setPoints.lengths)

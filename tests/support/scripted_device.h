@@ -40,6 +40,7 @@ public:
     std::chrono::milliseconds late{0};       ///< added to the next exchange: the host stood still
     bool echoes = true;                      ///< tells which set-point it accepted last
     std::optional<LegLengths> reportInstead; ///< a bad measurement
+    std::function<void()> during;            ///< called while it exchanges
     std::vector<DeviceNotice> notices;       ///< handed out with the next exchange
     double leftToSettle = 0.3;               ///< part of the distance that is left after a period
     std::optional<double> minLength, maxLength;

@@ -51,6 +51,25 @@ TEST_F(ControlLoopSafety, ARefusedSetPointIsExplainedByTheStateThatFollows) {
     EXPECT_EQ(detailOf(EventCode::StoppedOnRefusal), "SET STATE drives are off") << "it stays enabled";
 }
 
+TEST_F(ControlLoopSafety, AStopHurriesTheExchangeItIsPostedDuring) {
+    startMoving();
+    const auto hurries = [this] { return m_device.received.back().hurry->load(); };
+    bool forSpeed = true, forStop = false;
+    m_device.during = [&] {
+        m_loop->post(SpeedCommand{0.5});
+        forSpeed = hurries();
+        m_loop->post(StopCommand{});
+        forStop = hurries();
+    };
+    cycles(1);
+    m_device.during = {};
+    EXPECT_FALSE(forSpeed) << "only a stop does";
+    EXPECT_TRUE(forStop);
+    cycles(1);
+    EXPECT_EQ(m_device.received.back().request, DeviceRequest::Stop);
+    EXPECT_FALSE(hurries()) << "it is on its way";
+}
+
 TEST_F(ControlLoopSafety, NothingIsSentToAControllerThatIsEnabledAlreadyUntilTheOperatorActs) {
     m_device.state = ControllerState::Enabled;
     cycles(50);

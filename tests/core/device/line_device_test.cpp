@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 
 namespace hexapose {
@@ -197,6 +198,28 @@ TEST(LineDevice, ASilentControllerGetsNoSetPointsButIsAskedAgain) {
     host.script.takeSent();
     host.pass(100ms, kSet);
     EXPECT_EQ(count(host.script.takeSent(), "SET"), 7);
+}
+
+TEST(LineDevice, AStopThatWaitsEndsTheWaitForAMeasurement) {
+    Host host;
+    host.connect();
+    const auto waited = [&host](const SetPoints& setPoints) {
+        const auto begin = host.script.now;
+        host.device.exchange(setPoints);
+        return host.script.now - begin;
+    };
+    std::atomic<bool> hurry{false};
+    SetPoints set = kSet;
+    set.hurry = &hurry;
+    EXPECT_EQ(waited(set), 15ms);
+    int reads = 0;
+    host.script.onRead = [&] { hurry = ++reads == 3; };
+    EXPECT_LE(waited(set), 6ms) << "two of its pieces, and the one it was in";
+    host.script.onRead = {};
+    hurry = true;
+    EXPECT_EQ(waited(set), 0ms);
+    host.script.len(1, 10000);
+    EXPECT_TRUE(host.device.exchange(set).lengths) << "what is here is read all the same";
 }
 
 TEST(LineDevice, AFaultAndAForeignControllerAreTold) {

@@ -27,6 +27,7 @@ struct Script {
     std::deque<std::pair<Time, std::string>> incoming;
     std::vector<std::string> sent; ///< payloads
     std::function<void(const std::string& payload)> onSent;
+    std::function<void()> onRead; ///< before each wait
     bool lost = false;
     std::size_t unsent = 0;
     int dropped = 0;
@@ -56,6 +57,8 @@ public:
     std::size_t read(std::span<char> buffer, std::chrono::milliseconds wait) override {
         if (m_script.lost)
             throw ChannelError("unplugged");
+        if (m_script.onRead)
+            m_script.onRead();
         auto& incoming = m_script.incoming;
         const Script::Time until = m_script.now + wait;
         m_script.now = incoming.empty() ? until : std::clamp(incoming.front().first, m_script.now, until);
