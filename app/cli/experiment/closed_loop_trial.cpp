@@ -28,6 +28,7 @@ constexpr int kBisections = 40;
 constexpr double kSlow = 0.1;            ///< of the full speed: less is none
 constexpr double kConstant = 5e-3;       ///< the commanded speed changes by no more where it is constant
 constexpr int kMostCycles = 3000;        ///< of one move: half a minute
+constexpr int kRestCycles = 100;         ///< a second after a move
 constexpr double kTightTolerance = 1e-9; ///< m
 
 double seconds(std::chrono::nanoseconds duration) {
@@ -46,6 +47,16 @@ public:
               [this](const Snapshot& snapshot) { m_last = snapshot; }, m_machine.clock()) {}
 
     MoveOutcome run(const Pose& target, int index) {
+        const MoveOutcome outcome = move(target, index);
+        // A push that outlasts the move is taken away: the next one begins at rest, with its own push alone.
+        m_machine.push(index % kLegCount, 0.0);
+        for (int cycle = 0; cycle < kRestCycles; ++cycle)
+            m_loop.cycle();
+        return outcome;
+    }
+
+private:
+    MoveOutcome move(const Pose& target, int index) {
         m_outcome = {};
         m_outcome.to = target;
         for (int cycle = 0; cycle < kMostCycles && !m_last.measuredPose; ++cycle)
@@ -71,13 +82,11 @@ public:
             if (begun)
                 observe(now - *begun, index);
         }
-        m_machine.push(index % kLegCount, 0.0);
         finish(0.0);
         m_outcome.settleSeconds.reset();
         return m_outcome;
     }
 
-private:
     void begin(const Pose& target, double plannedSeconds) {
         m_true = truePose();
         m_outcome.from = m_true;
