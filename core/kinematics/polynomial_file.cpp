@@ -129,7 +129,7 @@ PolynomialModel readModel(const Reader& reader, const PlatformGeometry& geometry
     model.maxLength = reader.list("max_length_m", kLegCount);
     model.maxResidual = reader.number("max_residual_m");
     model.maxError = reader.list("max_error_m_rad", 6);
-    model.coefficients = reader.columns("coefficients", monomialCount(model.spec.degree));
+    model.setCoefficients(reader.columns("coefficients", monomialCount(model.spec.degree)));
     if (!(model.spec.offsetRange > 0.0 && model.spec.angleRange > 0.0 && model.spec.samples > 0))
         reader.fail("the training ranges or samples are not positive");
     if (!((model.lengthScale.array() > 0.0).all() &&
@@ -157,8 +157,8 @@ std::string formatModel(const PolynomialModel& model) {
         "\nmax_length_m = " + formatList(model.maxLength) +
         "\nmax_residual_m = " + formatTomlNumber(model.maxResidual) +
         "\nmax_error_m_rad = " + formatList(model.maxError) + "\ncoefficients = [\n";
-    for (Eigen::Index i = 0; i < model.coefficients.cols(); ++i)
-        text += "  " + formatList(model.coefficients.col(i)) + ",\n";
+    for (const CoefficientRow& row : model.coefficientRows)
+        text += "  " + formatList(PoseVector::Map(row.values.data())) + ",\n";
     text += "]\n";
     return text + checksumLine(text);
 }

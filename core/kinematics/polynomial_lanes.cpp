@@ -22,6 +22,7 @@ namespace {
 namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr std::size_t kOutputs = 6;
+constexpr std::size_t kStride = 8; ///< from the coefficients of a monomial to those of the next
 
 /// Horner's scheme over six variables: a monomial that ends in variable k is followed by those that have one
 /// more variable, 0 to k, which is also their order in memory, degree by degree. One multiplication and
@@ -35,23 +36,15 @@ struct Horner {
 
     HWY_INLINE Horner(const double* variables, const double* coefficients) {
         for (int degree = 0, first = 0; degree <= kDegree; first = monomialCount(degree++))
-            next[static_cast<std::size_t>(degree)] =
-                coefficients + kOutputs * static_cast<std::size_t>(first);
+            next[static_cast<std::size_t>(degree)] = coefficients + kStride * static_cast<std::size_t>(first);
         for (int k = 0; k < kLegCount; ++k)
             u[k] = hn::Set(D(), variables[k]);
     }
 
-    HWY_INLINE V load(const double* from) const {
-        if constexpr (hn::MaxLanes(D()) > kOutputs)
-            return hn::MaskedLoad(hn::FirstN(D(), kOutputs), D(), from);
-        else
-            return hn::LoadU(D(), from);
-    }
-
     template <int kThis, int kLast>
     HWY_INLINE V term() {
-        V sum = load(std::get<kThis>(next));
-        std::get<kThis>(next) += kOutputs;
+        V sum = hn::Load(D(), std::get<kThis>(next));
+        std::get<kThis>(next) += kStride;
         if constexpr (kThis < kDegree)
             sum = terms<kThis>(sum, std::make_integer_sequence<int, kLast + 1>());
         return sum;

@@ -47,10 +47,22 @@ bool isTrainable(const PlatformGeometry& geometry, const TrainingSpec& spec, dou
 
 } // namespace
 
+Eigen::Map<const PolynomialModel::Coefficients, Eigen::Unaligned, Eigen::OuterStride<8>>
+PolynomialModel::coefficients() const {
+    const double* first = coefficientRows.empty() ? nullptr : coefficientRows.front().values.data();
+    return {first, 6, static_cast<Eigen::Index>(coefficientRows.size())};
+}
+
+void PolynomialModel::setCoefficients(const Coefficients& coefficients) {
+    coefficientRows.assign(static_cast<std::size_t>(coefficients.cols()), {});
+    for (Eigen::Index i = 0; i < coefficients.cols(); ++i)
+        PoseVector::Map(coefficientRows[static_cast<std::size_t>(i)].values.data()) = coefficients.col(i);
+}
+
 PoseVector PolynomialModel::evaluate(const LegLengths& lengths) const noexcept {
     const LegVector u = (lengths - lengthCentre).cwiseQuotient(lengthScale);
     PoseVector pose;
-    evaluatePolynomials(spec.degree, u.data(), coefficients.data(), pose.data());
+    evaluatePolynomials(spec.degree, u.data(), coefficientRows.front().values.data(), pose.data());
     return pose;
 }
 
@@ -62,7 +74,7 @@ std::string PolynomialModel::fingerprint() const {
         hash.add(lengthCentre[i]);
         hash.add(lengthScale[i]);
     }
-    for (const double coefficient : coefficients.reshaped())
+    for (const double coefficient : coefficients().reshaped())
         hash.add(coefficient);
     return hash.hex();
 }

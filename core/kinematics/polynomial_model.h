@@ -8,8 +8,10 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace hexapose {
 
@@ -22,9 +24,15 @@ struct TrainingSpec {
     std::uint64_t seed = 1;        ///< of their random numbers
 };
 
+/// The coefficients of one monomial: x y z (m) alpha beta gamma (rad), and two zeros, so that a row is a
+/// cache line, which one load of the vector unit takes.
+struct alignas(64) CoefficientRow {
+    std::array<double, 8> values{};
+};
+
 /// A regression of the pose on the distinct monomials up to `degree` of the centred and scaled lengths (Eq.
-/// 16). u_i = (l_i - lengthCentre_i) / lengthScale_i; pose = coefficients * monomials(u). Monomial order: as
-/// in polynomial_basis.h.
+/// 16). u_i = (l_i - lengthCentre_i) / lengthScale_i; pose = coefficients() * monomials(u). Monomial order:
+/// as in polynomial_basis.h.
 struct PolynomialModel {
     TrainingSpec spec;
     std::string platformFingerprint; ///< PlatformGeometry::fingerprint() of the one it belongs to
@@ -33,10 +41,13 @@ struct PolynomialModel {
     LegLengths minLength = LegLengths::Zero();    ///< smallest and largest length met in training, m
     LegLengths maxLength = LegLengths::Zero();
     double maxResidual = 0.0; ///< largest leg residual of the regression over the training poses, m
-    PoseVector maxError = PoseVector::Zero(); ///< largest error of each coordinate there, m and rad
-    /// 6 x monomialCount(degree); rows x y z (m) alpha beta gamma (rad).
-    Eigen::Matrix<double, 6, Eigen::Dynamic> coefficients;
+    PoseVector maxError = PoseVector::Zero();    ///< largest error of each coordinate there, m and rad
+    std::vector<CoefficientRow> coefficientRows; ///< monomialCount(degree)
 
+    using Coefficients = Eigen::Matrix<double, 6, Eigen::Dynamic>;
+    /// The same as a matrix: 6 x monomialCount(degree); rows x y z (m) alpha beta gamma (rad).
+    Eigen::Map<const Coefficients, Eigen::Unaligned, Eigen::OuterStride<8>> coefficients() const;
+    void setCoefficients(const Coefficients& coefficients);
     /// The regression's pose, from lengths in m. Of a trained or loaded model; extrapolates without a word
     /// outside of its range. Allocates nothing.
     PoseVector evaluate(const LegLengths& lengths) const noexcept;

@@ -171,7 +171,7 @@ private:
             refuse("the samples do not determine a polynomial of degree " + std::to_string(m_spec.degree) +
                    "; take more samples, a wider range or a lower degree");
         const Eigen::MatrixXd fitted = scale.asDiagonal() * factor.solve(scale.asDiagonal() * moments);
-        m_model.coefficients = m_range.asDiagonal() * fitted.transpose();
+        m_model.setCoefficients(m_range.asDiagonal() * fitted.transpose());
     }
 
     void residualBlock(Lane& lane, PoseSamples& samples, int count) const {

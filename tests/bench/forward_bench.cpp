@@ -11,6 +11,7 @@
 #include "core/kinematics/polynomial_training.h"
 #include "fma_peak.h"
 #include "ratio_report.h"
+#include "tests/support/vector_unit.h"
 #include "yardstick.h"
 
 #include <benchmark/benchmark.h>
@@ -106,9 +107,12 @@ void addYardsticks(const Jobs& jobs) {
     add(jobs, "yardstick, this processor", one(&plainNewtonNative));
 }
 
-void addBatch(const Jobs& jobs, std::shared_ptr<const NewtonRaphson> newton) {
-    benchmark::RegisterBenchmark((jobs.name + " / Newton, batch").c_str(),
-                                 [&jobs, newton](benchmark::State& state) {
+/// target: 0 for the best vector unit there is.
+void addBatch(const Jobs& jobs, std::shared_ptr<const NewtonRaphson> newton, std::int64_t target) {
+    const std::string unit = target == 0 ? "" : std::string(" with ") + hwy::TargetName(target);
+    benchmark::RegisterBenchmark((jobs.name + " / Newton, batch" + unit).c_str(),
+                                 [&jobs, newton, target](benchmark::State& state) {
+                                     const testing_support::OnlyVectorUnit only(target);
                                      std::vector<ForwardResult> results(kPoses);
                                      for (auto _ : state) {
                                          newton->solveAll(jobs.lengths, results);
@@ -118,6 +122,14 @@ void addBatch(const Jobs& jobs, std::shared_ptr<const NewtonRaphson> newton) {
                                      if (jobs.name == "cold, set 2")
                                          state.counters["flops"] = kFlopsOfBatch;
                                  });
+}
+
+/// On the best vector unit, and on each of the others that this processor has.
+void addBatches(const Jobs& jobs, const std::shared_ptr<const NewtonRaphson>& newton) {
+    std::vector<std::int64_t> targets = hwy::SupportedAndGeneratedTargets();
+    targets.front() = 0;
+    for (const std::int64_t target : targets)
+        addBatch(jobs, newton, target);
 }
 
 void addRegression(const Jobs& jobs, int degree) {
@@ -163,7 +175,7 @@ void addTraining() {
                                                                                           state) {
         const TrainingSpec spec = defaultTrainingSpec(laboratory(), 3);
         for (auto _ : state)
-            benchmark::DoNotOptimize(trainModel(laboratory(), spec)->coefficients.data());
+            benchmark::DoNotOptimize(trainModel(laboratory(), spec)->coefficientRows.data());
     })->UseRealTime();
 }
 
@@ -206,7 +218,7 @@ int main(int argc, char** argv) {
     for (const Jobs& jobs : {std::cref(sets[0]), std::cref(sets[1])}) {
         addSolver(jobs, "MPR2-NR", mpr2);
         addSolver(jobs, "MPR3-NR", mpr3);
-        addBatch(jobs, newton);
+        addBatches(jobs, newton);
     }
     addSolver(sets[1], "Newton as published",
               std::make_shared<const NewtonAsPublished>(laboratory(), options));

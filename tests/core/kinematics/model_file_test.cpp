@@ -63,7 +63,7 @@ protected:
 TEST(ModelFile, ComesBackExactly) {
     const PolynomialModel& model = smallModel();
     const PolynomialModel back = parseModel(formatModel(model), "copy", laboratory());
-    EXPECT_EQ(back.coefficients, model.coefficients);
+    EXPECT_EQ(back.coefficients(), model.coefficients());
     EXPECT_EQ(back.lengthCentre, model.lengthCentre);
     EXPECT_EQ(back.lengthScale, model.lengthScale);
     EXPECT_EQ(back.minLength, model.minLength);

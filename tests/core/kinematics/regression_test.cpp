@@ -7,6 +7,7 @@
 
 #include "core/geometry/input_error.h"
 #include "test_machines.h"
+#include "tests/support/vector_unit.h"
 
 #include <gtest/gtest.h>
 
@@ -54,6 +55,33 @@ TEST(PolynomialBasis, HoldsEveryMonomialOnce) {
     }
 }
 
+TEST(PolynomialModel, IsTheSumOfItsMonomialsOnEveryVectorUnit) {
+    constexpr double kSame = 1e-12; // of the range of each coordinate
+    const PlatformGeometry machine = laboratory();
+    for (int degree = kMinDegree; degree <= kMaxDegree; ++degree) {
+        const auto model = trainModel(machine, setSpec(2, degree, 1000));
+        RandomPoses poses = publishedPoses(2, 60);
+        for (int i = 0; i < 20; ++i) {
+            const LegLengths lengths = legLengths(machine, poses.next());
+            const LegVector u = (lengths - model->lengthCentre).cwiseQuotient(model->lengthScale);
+            Eigen::VectorXd monomials(monomialCount(degree));
+            monomials[0] = 1.0;
+            forEachMonomialRun(degree, [&](int variable, int parent, int child, int count) {
+                monomials.segment(child, count) = u[variable] * monomials.segment(parent, count).eval();
+            });
+            const PoseVector sum = model->coefficients() * monomials;
+            for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+                const testing_support::OnlyVectorUnit only(target);
+                const PoseVector error = (model->evaluate(lengths) - sum).cwiseAbs();
+                EXPECT_LT(error.head<3>().maxCoeff() / model->spec.offsetRange, kSame)
+                    << degree << ' ' << hwy::TargetName(target);
+                EXPECT_LT(error.tail<3>().maxCoeff() / model->spec.angleRange, kSame)
+                    << degree << ' ' << hwy::TargetName(target);
+            }
+        }
+    }
+}
+
 TEST(Training, ReproducesThePublishedRegressionErrors) {
     const PlatformGeometry machine = laboratory();
     const struct {
@@ -94,7 +122,7 @@ TEST(Training, DependsOnTheSpecificationAlone) {
     const PlatformGeometry machine = laboratory();
     TrainingSpec spec = setSpec(2, 3, 10007);
     const auto one = trainModel(machine, spec, {}, 1), three = trainModel(machine, spec, {}, 3);
-    EXPECT_EQ(one->coefficients, three->coefficients);
+    EXPECT_EQ(one->coefficients(), three->coefficients());
     EXPECT_EQ(one->maxResidual, three->maxResidual);
     EXPECT_EQ(one->fingerprint(), three->fingerprint());
     spec.seed = 2;
