@@ -76,9 +76,11 @@ LaneMachine LegEquations::laneMachine(double homeDeterminant) const {
     Matrix J = jacobian(at);
     J.rightCols<3>() *= m_spread; // the vector code steps by plain rotation vectors
     const Matrix inverse = homeDeterminant != 0.0 ? J.inverse().eval() : Matrix::Zero().eval();
+    const Eigen::Vector3d centre(m_ax.mean(), m_ay.mean(), m_az.mean());
     for (std::size_t place = 0; place < kLegCount; ++place) {
         const int leg = machine.order[place];
-        const double base[] = {m_ax[leg], m_ay[leg], m_az[leg]}, joint[] = {m_bx[leg], m_by[leg], m_bz[leg]};
+        const double base[] = {m_ax[leg] - centre[0], m_ay[leg] - centre[1], m_az[leg] - centre[2]},
+                     joint[] = {m_bx[leg], m_by[leg], m_bz[leg]};
         for (std::size_t k = 0; k < 3; ++k) {
             machine.base[k][placeInMemory(place)] = base[k];
             machine.joint[k][placeInMemory(place)] = joint[k];
@@ -88,7 +90,8 @@ LaneMachine LegEquations::laneMachine(double homeDeterminant) const {
             machine.homeInverse[k][place] = inverse(static_cast<Eigen::Index>(k), leg);
     }
     for (int k = 0; k < 3; ++k) {
-        machine.homeOrigin[static_cast<std::size_t>(k)] = m_home[k];
+        machine.baseCentroid[static_cast<std::size_t>(k)] = centre[k];
+        machine.homeOrigin[static_cast<std::size_t>(k)] = m_home[k] - centre[k];
         machine.centroidInP[static_cast<std::size_t>(k)] = m_centroidInP[k];
     }
     const double volume = std::pow(m_spread, 3);

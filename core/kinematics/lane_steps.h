@@ -12,6 +12,8 @@
 
 #include <hwy/highway.h>
 
+#include <utility>
+
 HWY_BEFORE_NAMESPACE();
 namespace hexapose {
 namespace HWY_NAMESPACE {
@@ -19,11 +21,20 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// One leg, or several side by side: its row of the linear system.
+/// One leg, or several side by side: leg vector, and right-hand side |d| (l - |d|) of its equation.
 template <class V>
 struct LegRow {
-    V d[3], m[3], e; ///< leg vector, moment R b x d, right-hand side |d| (l - |d|)
+    V d[3], e;
 };
+
+/// Moment of a leg about the centre of the base, a x d: its joint is at a + d.
+template <class V>
+HWY_INLINE void momentOf(const V* base, const V* d, V* m) {
+    for (int k = 0; k < 3; ++k) {
+        const int p = (k + 1) % 3, q = (k + 2) % 3;
+        m[k] = hn::NegMulAdd(base[q], d[p], hn::Mul(base[p], d[q]));
+    }
+}
 
 /// Adds the square of |d| - l to sum.
 template <class D, class V = hn::Vec<D>>
@@ -31,23 +42,17 @@ HWY_INLINE LegRow<V> evaluateLeg(D tag, const V* base, const V* joint, const V* 
                                  V length2, V inverse2, V& sum) {
     const auto set = [tag](double value) HWY_ATTR { return hn::Set(tag, value); };
     LegRow<V> leg;
-    V u[3], r[3];
-    for (int k = 0; k < 3; ++k) {
-        u[k] = hn::Sub(centroid[k], base[k]);
-        r[k] = hn::MulAdd(R[k][0], joint[0], hn::MulAdd(R[k][1], joint[1], hn::Mul(R[k][2], joint[2])));
-        leg.d[k] = hn::Add(u[k], r[k]);
-    }
-    for (int k = 0; k < 3; ++k) { // r x d = r x u
-        const int p = (k + 1) % 3, q = (k + 2) % 3;
-        leg.m[k] = hn::NegMulAdd(r[q], u[p], hn::Mul(r[p], u[q]));
-    }
+    for (int k = 0; k < 3; ++k)
+        leg.d[k] = hn::MulAdd(
+            R[k][0], joint[0],
+            hn::MulAdd(R[k][1], joint[1], hn::MulAdd(R[k][2], joint[2], hn::Sub(centroid[k], base[k]))));
     // |d| (l - |d|) without a root: with t = l^2 - d^2 and u = t / l^2 it is t/2 (1 - u/4 - u^2/8 - ...);
     // only the last, exact, digits decide, and there u is nothing.
     const V t = hn::NegMulAdd(leg.d[0], leg.d[0],
                               hn::NegMulAdd(leg.d[1], leg.d[1], hn::NegMulAdd(leg.d[2], leg.d[2], length2)));
-    const V part = hn::Mul(t, inverse2), half = hn::Mul(t, set(0.5));
-    leg.e = hn::Mul(half, hn::NegMulAdd(part, hn::MulAdd(part, set(0.125), set(0.25)), set(1.0)));
-    sum = hn::MulAdd(hn::Mul(half, half), inverse2, sum);
+    const V part = hn::Mul(t, inverse2);
+    leg.e = hn::Mul(t, hn::NegMulAdd(part, hn::MulAdd(part, set(0.0625), set(0.125)), set(0.5)));
+    sum = hn::MulAdd(hn::Mul(leg.e, leg.e), inverse2, sum);
     return leg;
 }
 
@@ -58,18 +63,19 @@ struct LaneSteps {
     using M = hn::Mask<D>;
 
     struct Place {
-        V c[3], q[4]; ///< centroid; quaternion w x y z of any length
+        V c[3], q[4]; ///< centroid, from that of the base; quaternion w x y z of any length
     };
     struct Rotation {
         V r[3][3];
     };
-    /// Rows of the linear system: leg vectors d, moments m = R b x d, right-hand sides |d| (l - |d|).
+    /// Rows of the linear system: leg vectors d, moments m = a x d, right-hand sides |d| (l - |d|).
     struct Rows {
         V d[3][kLegCount], m[3][kLegCount], e[kLegCount];
         V residual2;
     };
     struct Step {
         V t[3], w[3]; ///< displacement of the centroid, rotation vector
+        V turn[4];    ///< its Cayley transform, a quaternion of any length
         V determinant;
     };
     struct Target {
@@ -130,20 +136,51 @@ struct LaneSteps {
     static HWY_INLINE void evaluate(const LaneMachine& machine, const Place& at, const Rotation& R,
                                     const Target& to, Rows& rows) {
         rows.residual2 = hn::Zero(D());
-        for (std::size_t i = 0; i < kLegCount; ++i) {
-            V base[3], joint[3];
-            for (std::size_t k = 0; k < 3; ++k) {
-                base[k] = set(machine.base[k][placeInMemory(i)]);
-                joint[k] = set(machine.joint[k][placeInMemory(i)]);
-            }
-            const auto leg =
-                evaluateLeg(D(), base, joint, at.c, R.r, to.l2[i], to.inverse2[i], rows.residual2);
-            for (std::size_t k = 0; k < 3; ++k) {
-                rows.d[k][i] = leg.d[k];
-                rows.m[k][i] = leg.m[k];
-            }
-            rows.e[i] = leg.e;
+        evaluateLegs(machine, at, R, to, rows, std::make_index_sequence<kLegCount>());
+    }
+
+    // Written out leg by leg: in a loop compilers keep each row twice.
+    template <std::size_t... i>
+    static HWY_INLINE void evaluateLegs(const LaneMachine& machine, const Place& at, const Rotation& R,
+                                        const Target& to, Rows& rows, std::index_sequence<i...>) {
+        (evaluateLegAt<i>(machine, at, R, to, rows), ...);
+    }
+    template <std::size_t i>
+    static HWY_INLINE void evaluateLegAt(const LaneMachine& machine, const Place& at, const Rotation& R,
+                                         const Target& to, Rows& rows) {
+        V base[3], joint[3];
+        for (std::size_t k = 0; k < 3; ++k) {
+            base[k] = set(machine.base[k][placeInMemory(i)]);
+            joint[k] = set(machine.joint[k][placeInMemory(i)]);
         }
+        const auto leg = evaluateLeg(D(), base, joint, at.c, R.r, to.l2[i], to.inverse2[i], rows.residual2);
+        for (std::size_t k = 0; k < 3; ++k)
+            rows.d[k][i] = leg.d[k];
+        rows.e[i] = leg.e;
+    }
+
+    /// Only for those who take a step.
+    static HWY_INLINE void moments(const LaneMachine& machine, Rows& rows) {
+        // A compiler that knows these numbers from before keeps them, in more registers than there are.
+        const LaneMachine* again = &machine;
+#if HWY_COMPILER_GCC || HWY_COMPILER_CLANG
+        asm("" : "+r"(again));
+#endif
+        momentsOfLegs(*again, rows, std::make_index_sequence<kLegCount>());
+    }
+    template <std::size_t... i>
+    static HWY_INLINE void momentsOfLegs(const LaneMachine& machine, Rows& rows, std::index_sequence<i...>) {
+        (momentOfLeg<i>(machine, rows), ...);
+    }
+    template <std::size_t i>
+    static HWY_INLINE void momentOfLeg(const LaneMachine& machine, Rows& rows) {
+        V base[3], m[3];
+        const V d[] = {rows.d[0][i], rows.d[1][i], rows.d[2][i]};
+        for (std::size_t k = 0; k < 3; ++k)
+            base[k] = set(machine.base[k][placeInMemory(i)]);
+        momentOf(base, d, m);
+        for (std::size_t k = 0; k < 3; ++k)
+            rows.m[k][i] = m[k];
     }
 
     /// Inverse of three rows times its determinant: columns are cross products of the other two.
@@ -161,13 +198,12 @@ struct LaneSteps {
     /// The step by 3x3 blocks: the first triple gives the displacement in terms of the rotation, which leaves
     /// three equations of the second for the rotation. These are kept times the first determinant, so that
     /// its reciprocal is not waited for.
-    static HWY_INLINE Step solve(const Rows& rows) {
+    static HWY_INLINE Step solve(const Rows& rows, const Place& at) {
         V legs[3][3], adjugate1[3][3];
         for (int i = 0; i < 3; ++i)
             for (int k = 0; k < 3; ++k)
                 legs[i][k] = rows.d[k][i];
         const V det1 = adjugate(legs, adjugate1);
-        const V scale1 = hn::Div(set(1.0), det1);
         V mixed[3][3], x[3], rest[3][3], right[3], adjugate2[3][3];
         for (int k = 0; k < 3; ++k)
             x[k] = dot3(adjugate1[k][0], rows.e[0], adjugate1[k][1], rows.e[1], adjugate1[k][2], rows.e[2]);
@@ -186,17 +222,26 @@ struct LaneSteps {
                 rest[i][j] = less(hn::Mul(det1, rows.m[j][3 + i]), mixed[0][j], mixed[1][j], mixed[2][j]);
         }
         const V det2 = adjugate(rest, adjugate2);
-        const V scale2 = hn::Div(set(1.0), det2);
+        // The rotation does not wait for the reciprocal.
+        const V inverse = hn::Div(set(1.0), hn::Mul(det1, det2)), scale = hn::Mul(inverse, det1);
         Step step;
+        step.turn[0] = hn::Add(det2, det2);
+        V w[3];
+        for (int k = 0; k < 3; ++k) {
+            w[k] = step.turn[1 + k] =
+                dot3(adjugate2[k][0], right[0], adjugate2[k][1], right[1], adjugate2[k][2], right[2]);
+            step.w[k] = hn::Mul(scale, w[k]);
+        }
         for (int k = 0; k < 3; ++k)
-            step.w[k] = hn::Mul(scale2, dot3(adjugate2[k][0], right[0], adjugate2[k][1], right[1],
-                                             adjugate2[k][2], right[2]));
-        for (int k = 0; k < 3; ++k)
-            step.t[k] =
-                hn::Mul(scale1, hn::NegMulAdd(mixed[k][0], step.w[0],
-                                              hn::NegMulAdd(mixed[k][1], step.w[1],
-                                                            hn::NegMulAdd(mixed[k][2], step.w[2], x[k]))));
-        step.determinant = hn::Mul(det2, hn::Mul(scale1, scale1)); // det2 was taken of rows times det1
+            x[k] = hn::NegMulAdd(
+                mixed[k][0], w[0],
+                hn::NegMulAdd(mixed[k][1], w[1], hn::NegMulAdd(mixed[k][2], w[2], hn::Mul(det2, x[k]))));
+        for (int k = 0; k < 3; ++k) { // from the centre of the base to that of the platform
+            const int p = (k + 1) % 3, q = (k + 2) % 3;
+            step.t[k] = hn::MulAdd(inverse, x[k], minor(step.w[p], at.c[q], step.w[q], at.c[p]));
+        }
+        const V inverse1 = hn::Mul(inverse, det2);
+        step.determinant = hn::Mul(det2, hn::Mul(inverse1, inverse1)); // det2 was taken of rows times det1
         return step;
     }
 
@@ -204,12 +249,12 @@ struct LaneSteps {
     static HWY_INLINE void move(Place& place, const Step& step) {
         for (int k = 0; k < 3; ++k)
             place.c[k] = hn::Add(place.c[k], step.t[k]);
-        const V half = set(0.5), w = place.q[0], x = place.q[1], y = place.q[2], z = place.q[3];
-        const V hx = hn::Mul(half, step.w[0]), hy = hn::Mul(half, step.w[1]), hz = hn::Mul(half, step.w[2]);
-        place.q[0] = hn::NegMulAdd(hx, x, hn::NegMulAdd(hy, y, hn::NegMulAdd(hz, z, w)));
-        place.q[1] = hn::MulAdd(hx, w, hn::MulAdd(hy, z, hn::NegMulAdd(hz, y, x)));
-        place.q[2] = hn::MulAdd(hy, w, hn::MulAdd(hz, x, hn::NegMulAdd(hx, z, y)));
-        place.q[3] = hn::MulAdd(hz, w, hn::MulAdd(hx, y, hn::NegMulAdd(hy, x, z)));
+        const V w = place.q[0], x = place.q[1], y = place.q[2], z = place.q[3];
+        const V h = step.turn[0], hx = step.turn[1], hy = step.turn[2], hz = step.turn[3];
+        place.q[0] = hn::NegMulAdd(hx, x, hn::NegMulAdd(hy, y, minor(h, w, hz, z)));
+        place.q[1] = hn::MulAdd(hx, w, hn::MulAdd(hy, z, minor(h, x, hz, y)));
+        place.q[2] = hn::MulAdd(hy, w, hn::MulAdd(hz, x, minor(h, y, hx, z)));
+        place.q[3] = hn::MulAdd(hz, w, hn::MulAdd(hx, y, minor(h, z, hy, x)));
     }
 
     static HWY_INLINE Step stepFromHome(const LaneMachine& machine, const V* error) {
@@ -219,7 +264,10 @@ struct LaneSteps {
             for (std::size_t j = 1; j < kLegCount; ++j)
                 x[i] = hn::MulAdd(set(machine.homeInverse[i][j]), error[j], x[i]);
         }
-        return {{x[0], x[1], x[2]}, {x[3], x[4], x[5]}, set(machine.homeDeterminant)};
+        return {{x[0], x[1], x[2]},
+                {x[3], x[4], x[5]},
+                {set(2.0), x[3], x[4], x[5]},
+                set(machine.homeDeterminant)};
     }
 
     static HWY_INLINE V stepSquare(const LaneMachine& machine, const Step& step) {

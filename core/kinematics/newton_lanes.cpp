@@ -9,7 +9,7 @@
 #include <hwy/foreach_target.h>
 // The targets first.
 #include "core/kinematics/lane_angles.h"
-#include "core/kinematics/lane_steps.h"
+#include "core/kinematics/lane_newton.h"
 
 #include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>
@@ -25,175 +25,28 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// From here on Newton is not going where it should, and the careful iteration takes over.
-constexpr int kMostSteps = 12;
-constexpr double kLeastDecrease = 0.9; // of the squared residual, in one step
-/// cos(beta)^2 below which the angles want care.
-constexpr double kNearGimbalLock = 1e-6;
-/// The slope of the determinant was measured on rays; between them it may be this much more.
-constexpr double kSlopeMargin = 2.0;
-
 using Many = hn::CappedTag<double, LaneBlock::kMostLanes>;
 
-template <class D>
-struct Newton : LaneSteps<D> {
-    using Steps = LaneSteps<D>;
-    using Steps::dot3, Steps::evaluate, Steps::move, Steps::rotation, Steps::set, Steps::solve,
-        Steps::stepFromHome, Steps::stepSquare, Steps::target;
-    using typename Steps::M;
-    using typename Steps::Place;
-    using typename Steps::Rotation;
-    using typename Steps::Rows;
-    using typename Steps::Step;
-    using typename Steps::Target;
-    using typename Steps::V;
-    static constexpr bool kSingle = hn::MaxLanes(D()) == 1;
+/// Place and rotation of a pose: offset, then sines and cosines of the half angles.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE void place(const LaneMachine& machine, const V* offset, const V* s, const V* c,
+                      typename Newton<D>::Run& run) {
+    using N = Newton<D>;
+    const V cc = hn::Mul(c[2], c[1]), ss = hn::Mul(s[2], s[1]), cs = hn::Mul(c[2], s[1]),
+            sc = hn::Mul(s[2], c[1]);
+    run.place.q[0] = hn::MulAdd(cc, c[0], hn::Mul(ss, s[0]));
+    run.place.q[1] = N::Steps::minor(cc, s[0], ss, c[0]);
+    run.place.q[2] = hn::MulAdd(cs, c[0], hn::Mul(sc, s[0]));
+    run.place.q[3] = N::Steps::minor(sc, c[0], cs, s[0]);
+    run.rotation = N::rotation(run.place.q);
+    for (std::size_t k = 0; k < 3; ++k)
+        run.place.c[k] = hn::Add(
+            hn::MulAdd(offset[k], N::set(1.0 / machine.size), N::set(machine.homeOrigin[k])),
+            N::dot3(run.rotation.r[k][0], N::set(machine.centroidInP[0]), run.rotation.r[k][1],
+                    N::set(machine.centroidInP[1]), run.rotation.r[k][2], N::set(machine.centroidInP[2])));
+}
 
-    struct Run {
-        Place place;
-        Rotation rotation; ///< of the place
-        V residual2, startResidual2, determinant, inverseProduct;
-        V step2; ///< square of the norm of the step from where the determinant was taken
-        V iterations;
-        M solved;
-    };
-
-    /// evaluate() of a single pose: a leg of each triple side by side.
-    static HWY_INLINE void evaluateInPairs(const LaneMachine& machine, const Run& run, const Target& to,
-                                           Rows& rows) {
-        using P = hn::Vec<Two>;
-        P centroid[3], R[3][3], sum = hn::Zero(Two());
-        for (int k = 0; k < 3; ++k) {
-            centroid[k] = bothOf(run.place.c[k]);
-            for (int j = 0; j < 3; ++j)
-                R[k][j] = bothOf(run.rotation.r[k][j]);
-        }
-        for (std::size_t i = 0; i < 3; ++i) {
-            P base[3], joint[3];
-            for (std::size_t k = 0; k < 3; ++k) {
-                base[k] = hn::LoadU(Two(), machine.base[k].data() + placeInMemory(i));
-                joint[k] = hn::LoadU(Two(), machine.joint[k].data() + placeInMemory(i));
-            }
-            const auto legs = evaluateLeg(Two(), base, joint, centroid, R, pairOf(to.l2[i], to.l2[3 + i]),
-                                          pairOf(to.inverse2[i], to.inverse2[3 + i]), sum);
-            for (std::size_t k = 0; k < 3; ++k) {
-                rows.d[k][i] = firstOf(legs.d[k]);
-                rows.d[k][3 + i] = secondOf(legs.d[k]);
-                rows.m[k][i] = firstOf(legs.m[k]);
-                rows.m[k][3 + i] = secondOf(legs.m[k]);
-            }
-            rows.e[i] = firstOf(legs.e);
-            rows.e[3 + i] = secondOf(legs.e);
-        }
-        rows.residual2 = hn::Add(firstOf(sum), secondOf(sum));
-    }
-
-    /// Takes a step in the lanes that are still at work.
-    static HWY_INLINE void take(const LaneMachine& machine, Step& step, M active, Run& run) {
-        if constexpr (kSingle) {
-            run.determinant = step.determinant;
-            run.step2 = stepSquare(machine, step);
-            run.iterations = hn::Add(run.iterations, set(1.0));
-        } else {
-            for (int k = 0; k < 3; ++k) {
-                step.t[k] = hn::IfThenElseZero(active, step.t[k]);
-                step.w[k] = hn::IfThenElseZero(active, step.w[k]);
-            }
-            run.determinant = hn::IfThenElse(active, step.determinant, run.determinant);
-            run.step2 = hn::IfThenElse(active, stepSquare(machine, step), run.step2);
-            run.iterations = hn::Add(run.iterations, hn::IfThenElseZero(active, set(1.0)));
-        }
-        move(run.place, step);
-        run.rotation = rotation(run.place.q);
-    }
-
-    /// Place and rotation are set. fromHome: it is home, whose Jacobian was inverted beforehand.
-    static HWY_INLINE void iterate(const LaneMachine& machine, const V* l, bool fromHome, double tolerance,
-                                   int maxIterations, Run& run) {
-        const V tolerance2 = set(tolerance * tolerance), zero = hn::Zero(D());
-        const Target to = target(l);
-        run.inverseProduct = to.inverseProduct;
-        run.determinant = run.step2 = run.iterations = zero;
-        run.residual2 = set(std::numeric_limits<double>::max());
-        M active = hn::Gt(l[0], zero);
-        for (int i = 1; i < kLegCount; ++i)
-            active = hn::And(active, hn::Gt(l[i], zero));
-        run.solved = hn::Lt(zero, zero);
-        int steps = 0;
-        if (fromHome) {
-            V error[kLegCount];
-            run.residual2 = zero;
-            for (std::size_t i = 0; i < kLegCount; ++i) {
-                error[i] = hn::Sub(l[i], set(machine.homeLength[i]));
-                run.residual2 = hn::MulAdd(error[i], error[i], run.residual2);
-            }
-            run.startResidual2 = run.residual2;
-            run.solved = hn::And(active, hn::Le(run.residual2, tolerance2));
-            active = hn::AndNot(run.solved, active);
-            if (hn::AllFalse(D(), active))
-                return;
-            Step step = stepFromHome(machine, error);
-            take(machine, step, active, run);
-            steps = 1;
-        }
-        for (;; ++steps) {
-            Rows rows;
-            if constexpr (kSingle && kHasPairs)
-                evaluateInPairs(machine, run, to, rows);
-            else
-                evaluate(machine, run.place, run.rotation, to, rows);
-            if (steps == 0)
-                run.startResidual2 = rows.residual2;
-            // Not a number is not less.
-            active = hn::And(active, hn::Lt(rows.residual2, hn::Mul(run.residual2, set(kLeastDecrease))));
-            run.residual2 = hn::IfThenElse(active, rows.residual2, run.residual2);
-            const M done = hn::And(active, hn::Le(rows.residual2, tolerance2));
-            run.solved = hn::Or(run.solved, done);
-            active = hn::AndNot(done, active);
-            if (steps >= maxIterations || steps >= kMostSteps || hn::AllFalse(D(), active))
-                return;
-            Step step = solve(rows);
-            take(machine, step, active, run);
-        }
-    }
-
-    static HWY_INLINE void toPose(const LaneMachine& machine, const Run& run, V* pose, V& cosBeta2) {
-        const auto& r = run.rotation.r;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const V arm = dot3(r[k][0], set(machine.centroidInP[0]), r[k][1], set(machine.centroidInP[1]),
-                               r[k][2], set(machine.centroidInP[2]));
-            pose[k] =
-                hn::Mul(hn::Sub(hn::Sub(run.place.c[k], arm), set(machine.homeOrigin[k])), set(machine.size));
-        }
-        cosBeta2 = hn::MulAdd(r[0][0], r[0][0], hn::Mul(r[1][0], r[1][0]));
-        pose[4] = arcTangent(D(), hn::Neg(r[2][0]), hn::Sqrt(cosBeta2));
-        if constexpr (kSingle && kHasPairs) {
-            const auto outer = arcTangent(Two(), pairOf(r[2][1], r[1][0]), pairOf(r[2][2], r[0][0]));
-            pose[3] = firstOf(outer);
-            pose[5] = secondOf(outer);
-        } else {
-            pose[3] = arcTangent(D(), r[2][1], r[2][2]);
-            pose[5] = arcTangent(D(), r[1][0], r[0][0]);
-        }
-    }
-
-    /// Solved, surely on home's side, in the box, and with angles that can be told.
-    static HWY_INLINE M clear(const LaneMachine& machine, const Run& run, V cosBeta2, const V* pose) {
-        // The determinant is that before the last steps.
-        const V determinant =
-            hn::Mul(hn::Mul(run.determinant, run.inverseProduct), set(machine.determinantScale));
-        const V least = hn::MulAdd(set(kSlopeMargin * machine.determinantSlope), hn::Sqrt(run.step2),
-                                   set(machine.leastDeterminant));
-        M good = hn::And(run.solved, hn::Gt(determinant, least));
-        good = hn::And(good, hn::Gt(cosBeta2, set(kNearGimbalLock)));
-        for (int k = 0; k < 6; ++k)
-            good = hn::And(good, hn::Le(hn::Abs(pose[k]), set(k < 3 ? machine.offsetBox : machine.angleBox)));
-        return good;
-    }
-};
-
-/// Place and rotation of a pose.
-HWY_INLINE void begin(const LaneMachine& machine, const PoseVector& pose, Newton<One>::Run& run) {
+HWY_INLINE void placeAt(const LaneMachine& machine, const PoseVector& pose, Newton<One>::Run& run) {
     using N = Newton<One>;
     const auto half = [&pose](int k) HWY_ATTR { return N::set(0.5 * pose[3 + k]); };
     N::V s[3], c[3];
@@ -213,22 +66,12 @@ HWY_INLINE void begin(const LaneMachine& machine, const PoseVector& pose, Newton
             c[k] = hn::Cos(One(), half(k));
         }
     }
-    const auto cc = hn::Mul(c[2], c[1]), ss = hn::Mul(s[2], s[1]), cs = hn::Mul(c[2], s[1]),
-               sc = hn::Mul(s[2], c[1]);
-    run.place.q[0] = hn::MulAdd(cc, c[0], hn::Mul(ss, s[0]));
-    run.place.q[1] = N::Steps::minor(cc, s[0], ss, c[0]);
-    run.place.q[2] = hn::MulAdd(cs, c[0], hn::Mul(sc, s[0]));
-    run.place.q[3] = N::Steps::minor(sc, c[0], cs, s[0]);
-    run.rotation = N::rotation(run.place.q);
-    for (std::size_t k = 0; k < 3; ++k)
-        run.place.c[k] = hn::Add(
-            N::set(machine.homeOrigin[k] + pose[static_cast<Eigen::Index>(k)] / machine.size),
-            N::dot3(run.rotation.r[k][0], N::set(machine.centroidInP[0]), run.rotation.r[k][1],
-                    N::set(machine.centroidInP[1]), run.rotation.r[k][2], N::set(machine.centroidInP[2])));
+    const N::V offset[] = {N::set(pose[0]), N::set(pose[1]), N::set(pose[2])};
+    place<One>(machine, offset, s, c, run);
 }
 
 template <class D>
-HWY_INLINE void beginAtHome(const LaneMachine& machine, typename Newton<D>::Run& run) {
+HWY_INLINE void placeAtHome(const LaneMachine& machine, typename Newton<D>::Run& run) {
     for (std::size_t k = 0; k < 3; ++k)
         run.place.c[k] = hn::Set(D(), machine.homeOrigin[k] + machine.centroidInP[k]);
     for (int k = 0; k < 4; ++k)
@@ -246,10 +89,13 @@ void solveOne(const LaneMachine& machine, const LegLengths& lengths, const PoseV
         l[i] = N::set(lengths[machine.order[i]] * toSizes);
     N::Run run;
     if (fromHome)
-        beginAtHome<One>(machine, run);
+        placeAtHome<One>(machine, run);
     else
-        begin(machine, start, run);
-    N::iterate(machine, l, fromHome, tolerance * toSizes, maxIterations, run);
+        placeAt(machine, start, run);
+    const N::Limits limits{tolerance * toSizes, std::min(maxIterations, kMostSteps)};
+    if (N::begin(machine, l, fromHome, limits, run))
+        while (N::advance(machine, limits, run)) {
+        }
 
     N::V pose[6], cosBeta2;
     N::toPose(machine, run, pose, cosBeta2);
@@ -258,7 +104,7 @@ void solveOne(const LaneMachine& machine, const LegLengths& lengths, const PoseV
     for (int k = 0; k < 6; ++k)
         solution.pose[k] = hn::GetLane(pose[k]);
     for (std::size_t k = 0; k < 3; ++k)
-        solution.centroid[k] = hn::GetLane(run.place.c[k]);
+        solution.centroid[k] = hn::GetLane(run.place.c[k]) + machine.baseCentroid[k];
     for (std::size_t k = 0; k < 4; ++k)
         solution.rotation[k] = hn::GetLane(run.place.q[k]);
     solution.residual = hn::GetLane(hn::Sqrt(run.residual2)) * machine.size;
@@ -270,22 +116,37 @@ std::size_t countLanes() {
     return hn::Lanes(Many());
 }
 
-void solveMany(const LaneMachine& machine, const LegLengths* lengths, std::size_t count, double tolerance,
-               int maxIterations, LaneBlock& block) {
-    using N = Newton<Many>;
+/// Rows of six numbers, one a lane: where each lane's begins, from the first one's. Lanes without a row of
+/// their own repeat the last one.
+HWY_INLINE auto rowOffsets(std::size_t count) {
     using Index = hn::RebindToSigned<Many>;
-    // Lanes without a row of their own repeat the last one.
     const auto row = hn::Min(hn::Iota(Index(), 0), hn::Set(Index(), static_cast<std::int64_t>(count) - 1));
-    const double* first = lengths->data();
-    const double toSizes = 1.0 / machine.size;
-    const auto offset = hn::Add(hn::ShiftLeft<2>(row), hn::ShiftLeft<1>(row)); // 6 numbers a row
+    return hn::Add(hn::ShiftLeft<2>(row), hn::ShiftLeft<1>(row));
+}
+
+/// Poses of a batch, one a lane, and which block of results they are.
+struct Group {
+    Newton<Many>::Run run;
+    std::size_t block;
+    bool open = false;
+};
+
+/// False: no step is wanted.
+HWY_INLINE bool open(const LaneMachine& machine, const LegLengths* lengths, std::size_t count,
+                     const Newton<Many>::Limits& limits, Group& group) {
+    using N = Newton<Many>;
+    const std::size_t first = group.block * hn::Lanes(Many());
+    const auto offset = rowOffsets(count - first);
     N::V l[kLegCount];
     for (std::size_t i = 0; i < kLegCount; ++i)
-        l[i] = hn::Mul(hn::GatherIndex(Many(), first + machine.order[i], offset), N::set(toSizes));
-    N::Run run;
-    beginAtHome<Many>(machine, run);
-    N::iterate(machine, l, true, tolerance * toSizes, maxIterations, run);
+        l[i] = hn::Mul(hn::GatherIndex(Many(), lengths[first].data() + machine.order[i], offset),
+                       N::set(1.0 / machine.size));
+    placeAtHome<Many>(machine, group.run);
+    return N::begin(machine, l, true, limits, group.run);
+}
 
+HWY_INLINE void close(const LaneMachine& machine, const Newton<Many>::Run& run, LaneBlock& block) {
+    using N = Newton<Many>;
     N::V pose[6], cosBeta2;
     N::toPose(machine, run, pose, cosBeta2);
     for (std::size_t k = 0; k < 6; ++k)
@@ -296,6 +157,31 @@ void solveMany(const LaneMachine& machine, const LegLengths* lengths, std::size_
     hn::Store(hn::IfThenElseZero(N::clear(machine, run, cosBeta2, pose), N::set(1.0)), Many(), flags.data());
     for (std::size_t i = 0; i < hn::Lanes(Many()); ++i)
         block.clear[i] = flags[i] != 0.0;
+}
+
+/// Two groups take their steps in turn: what one waits for, the other fills.
+void solveMany(const LaneMachine& machine, const LegLengths* lengths, std::size_t count, double tolerance,
+               int maxIterations, LaneBlock* blocks) {
+    const Newton<Many>::Limits limits{tolerance * (1.0 / machine.size), std::min(maxIterations, kMostSteps)};
+    const std::size_t all = (count + hn::Lanes(Many()) - 1) / hn::Lanes(Many());
+    std::size_t begun = 0, closed = 0;
+    Group groups[2];
+    while (closed < all)
+        for (Group& group : groups) {
+            bool goesOn = false;
+            if (group.open) {
+                goesOn = Newton<Many>::advance(machine, limits, group.run);
+            } else if (begun < all) {
+                group.block = begun++;
+                goesOn = open(machine, lengths, count, limits, group);
+                group.open = true;
+            }
+            if (group.open && !goesOn) {
+                close(machine, group.run, blocks[group.block]);
+                group.open = false;
+                ++closed;
+            }
+        }
 }
 
 } // namespace
@@ -320,8 +206,8 @@ std::size_t laneCount() noexcept {
 }
 
 void solveLanes(const LaneMachine& machine, const LegLengths* lengths, std::size_t count, double tolerance,
-                int maxIterations, LaneBlock& block) noexcept {
-    HWY_DYNAMIC_DISPATCH(solveMany)(machine, lengths, count, tolerance, maxIterations, block);
+                int maxIterations, LaneBlock* blocks) noexcept {
+    HWY_DYNAMIC_DISPATCH(solveMany)(machine, lengths, count, tolerance, maxIterations, blocks);
 }
 
 } // namespace hexapose

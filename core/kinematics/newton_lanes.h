@@ -11,17 +11,18 @@
 namespace hexapose {
 
 /// Part of the solvers' inside, as all in this header. What the vector code knows of a machine: plain
-/// numbers, lengths in machine sizes, legs in the order of elimination. The legs are split in two triples;
-/// the first is the one whose leg vectors at home span the largest volume, so that their 3x3 block can be
-/// inverted without a search for pivots.
+/// numbers, lengths in machine sizes and from the centroid of the base joints, legs in the order of
+/// elimination. The legs are split in two triples; the first is the one whose leg vectors at home span the
+/// largest volume, so that their 3x3 block can be inverted without a search for pivots.
 struct LaneMachine {
     std::array<int, kLegCount> order{};                           ///< place -> leg
     std::array<std::array<double, kLegCount>, 3> base{}, joint{}; ///< see placeInMemory()
     std::array<double, kLegCount> homeLength{};
     std::array<std::array<double, kLegCount>, kLegCount> homeInverse{}; ///< of the Jacobian at home
-    std::array<double, 3> homeOrigin{};  ///< platform origin at home, base frame
-    std::array<double, 3> centroidInP{}; ///< of the platform joints, platform frame
-    double size = 1.0;                   ///< m
+    std::array<double, 3> baseCentroid{}; ///< from the base's origin; all else of the base is from there
+    std::array<double, 3> homeOrigin{};   ///< platform origin at home
+    std::array<double, 3> centroidInP{};  ///< of the platform joints, platform frame
+    double size = 1.0;                    ///< m
     double spread = 1.0;
     double determinantScale =
         0.0; ///< from the product of both blocks to det J; has home's sign, so > 0 is home's side
@@ -66,8 +67,8 @@ struct LaneBlock {
 };
 /// How many at once on this processor.
 std::size_t laneCount() noexcept;
-/// lengths: `count` rows from the pointer on, 1 to laneCount().
+/// lengths: `count` rows from the pointer on. blocks: laneCount() rows go to each, the rest to the last one.
 void solveLanes(const LaneMachine& machine, const LegLengths* lengths, std::size_t count, double tolerance,
-                int maxIterations, LaneBlock& block) noexcept;
+                int maxIterations, LaneBlock* blocks) noexcept;
 
 } // namespace hexapose

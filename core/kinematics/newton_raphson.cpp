@@ -33,6 +33,8 @@ constexpr std::array<EulerAngles, 7> kOtherStarts{{{0.0, 0.0, 0.0},
                                                    {0.0, 0.0, -kTurn}}};
 /// An array shorter than this is done before another thread has started.
 constexpr std::size_t kRowsWorthAThread = 2000;
+/// So much of a batch that its results stay in the first cache until they are handed out.
+constexpr std::size_t kBlocksAtATime = 16;
 
 /// Sign of the Jacobian's determinant at the end of a run; 0 where the pose is singular. Most runs end with a
 /// step so short that the factorisation before it decides.
@@ -184,21 +186,23 @@ ForwardResult NewtonRaphson::judged(const NewtonRun& run, int iterations, const 
 void NewtonRaphson::solveRange(std::span<const LegLengths> lengths,
                                std::span<ForwardResult> results) const noexcept {
     const std::size_t lanes = laneCount();
-    LaneBlock block;
-    for (std::size_t first = 0; first < lengths.size(); first += lanes) {
-        const std::size_t count = std::min(lanes, lengths.size() - first);
-        solveLanes(m_lanes, lengths.data() + first, count, m_tolerance, m_maxIterations, block);
+    std::array<LaneBlock, kBlocksAtATime> blocks;
+    for (std::size_t first = 0; first < lengths.size(); first += lanes * blocks.size()) {
+        const std::size_t count = std::min(lanes * blocks.size(), lengths.size() - first);
+        solveLanes(m_lanes, lengths.data() + first, count, m_tolerance, m_maxIterations, blocks.data());
         for (std::size_t i = 0; i < count; ++i) {
+            const LaneBlock& block = blocks[i / lanes];
+            const std::size_t lane = i % lanes;
             ForwardResult& result = results[first + i];
-            if (!block.clear[i]) {
+            if (!block.clear[lane]) {
                 result = solve(lengths[first + i], Pose{});
                 continue;
             }
-            result.pose.offset = {block.pose[0][i], block.pose[1][i], block.pose[2][i]};
-            result.pose.angles = {block.pose[3][i], block.pose[4][i], block.pose[5][i]};
+            result.pose.offset = {block.pose[0][lane], block.pose[1][lane], block.pose[2][lane]};
+            result.pose.angles = {block.pose[3][lane], block.pose[4][lane], block.pose[5][lane]};
             result.status = SolveStatus::Converged;
-            result.iterations = static_cast<int>(block.iterations[i]);
-            result.residual = block.residual[i];
+            result.iterations = static_cast<int>(block.iterations[lane]);
+            result.residual = block.residual[lane];
             result.accurate = true;
         }
     }

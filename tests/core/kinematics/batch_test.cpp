@@ -5,6 +5,7 @@
 #include "core/kinematics/newton_raphson.h"
 #include "test_machines.h"
 #include "tests/support/sample_count.h"
+#include "tests/support/vector_unit.h"
 
 #include <gtest/gtest.h>
 
@@ -13,6 +14,7 @@
 namespace hexapose::testing {
 namespace {
 
+using testing_support::OnlyVectorUnit;
 using testing_support::samples;
 
 constexpr double kSame = 1e-12; ///< machine sizes and radians
@@ -58,6 +60,24 @@ TEST(Batch, IsTheSingleSolverInEveryLaneAndForEveryRemainder) {
             const auto results = solveAll(newton, lengths);
             for (std::size_t i = 0; i < lengths.size(); ++i)
                 expectSame(machine, results[i], newton.solve(lengths[i], Pose{}), i);
+        }
+    }
+}
+
+TEST(Batch, IsTheSameOnEveryVectorUnit) {
+    constexpr int kPoses = 203; // many groups, and a remainder for every number of lanes
+    for (const PlatformGeometry& machine : {laboratory(), asymmetric(), scaledBy(1e-3, octahedral())}) {
+        const NewtonRaphson newton(machine, {});
+        const auto lengths = ordinary(machine, kPoses, 17);
+        const auto best = solveAll(newton, lengths);
+        for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+            SCOPED_TRACE(hwy::TargetName(target));
+            const OnlyVectorUnit only(target);
+            const auto results = solveAll(newton, lengths);
+            for (std::size_t i = 0; i < lengths.size(); ++i) {
+                expectSame(machine, results[i], newton.solve(lengths[i], Pose{}), i);
+                expectSame(machine, results[i], best[i], i);
+            }
         }
     }
 }
