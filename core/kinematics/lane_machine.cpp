@@ -8,6 +8,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace hexapose {
@@ -102,18 +103,19 @@ LaneMachine LegEquations::laneMachine(double homeDeterminant) const {
     if (homeDeterminant == 0.0)
         return machine;
     machine.leastDeterminant = kThere * std::abs(homeDeterminant);
-    const auto partOfHome = [&](const PoseVector& pose) {
-        const Evaluation there = evaluate(placementOf(Pose::fromVector(pose)), Legs::Zero());
-        return jacobian(there).determinant() / homeDeterminant;
-    };
     double slope = 0.0;
     const auto isFree = [&](const PoseVector& end) {
+        std::array<PoseVector, kLooks> poses;
+        std::array<double, kLooks> determinants{};
+        for (int i = 1; i <= kLooks; ++i)
+            poses[static_cast<std::size_t>(i) - 1] = end * (static_cast<double>(i) / kLooks);
+        laneDeterminants(machine, poses.data(), poses.size(), determinants.data());
         bool gone = false;
         double before = 1.0;
         const double look =
             std::hypot(end.head<3>().norm() / m_size, end.tail<3>().norm() * m_spread) / kLooks;
-        for (int i = 1; i <= kLooks; ++i) {
-            const double part = partOfHome(end * (static_cast<double>(i) / kLooks));
+        for (const double determinant : determinants) {
+            const double part = determinant / std::abs(homeDeterminant);
             slope = std::max(slope, std::abs(part - before) / look);
             before = part;
             if (gone && part > kThere)

@@ -184,6 +184,37 @@ void solveMany(const LaneMachine& machine, const LegLengths* lengths, std::size_
         }
 }
 
+void determinants(const LaneMachine& machine, const PoseVector* poses, std::size_t count, double* values) {
+    using N = Newton<Many>;
+    for (std::size_t first = 0; first < count; first += hn::Lanes(Many())) {
+        const auto offset = rowOffsets(count - first);
+        const auto coordinate = [&](int k) HWY_ATTR {
+            return hn::GatherIndex(Many(), poses[first].data() + k, offset);
+        };
+        N::V offsets[3], sines[3], cosines[3];
+        for (int k = 0; k < 3; ++k) {
+            offsets[k] = coordinate(k);
+            shortSinCos(Many(), hn::Mul(N::set(0.5), coordinate(3 + k)), sines[k], cosines[k]);
+        }
+        N::Run run;
+        place<Many>(machine, offsets, sines, cosines, run);
+        N::V l[kLegCount], product = N::set(1.0);
+        for (N::V& length : l)
+            length = N::set(1.0); // of no consequence here
+        N::Rows rows;
+        N::evaluate(machine, run.place, run.rotation, N::target(l), rows);
+        N::moments(machine, rows);
+        for (int i = 0; i < kLegCount; ++i)
+            product = hn::Mul(product, N::dot3(rows.d[0][i], rows.d[0][i], rows.d[1][i], rows.d[1][i],
+                                               rows.d[2][i], rows.d[2][i]));
+        const N::V determinant =
+            hn::Mul(N::solve(rows, run.place).determinant, N::set(machine.determinantScale));
+        alignas(64) LaneBlock::Lanes found;
+        hn::Store(hn::Div(determinant, hn::Sqrt(product)), Many(), found.data());
+        std::copy_n(found.begin(), std::min(count - first, hn::Lanes(Many())), values + first);
+    }
+}
+
 } // namespace
 } // namespace HWY_NAMESPACE
 } // namespace hexapose
@@ -195,6 +226,7 @@ namespace hexapose {
 HWY_EXPORT(solveOne);
 HWY_EXPORT(countLanes);
 HWY_EXPORT(solveMany);
+HWY_EXPORT(determinants);
 
 void solveLane(const LaneMachine& machine, const LegLengths& lengths, const PoseVector& start,
                double tolerance, int maxIterations, LaneSolution& solution) noexcept {
@@ -208,6 +240,11 @@ std::size_t laneCount() noexcept {
 void solveLanes(const LaneMachine& machine, const LegLengths* lengths, std::size_t count, double tolerance,
                 int maxIterations, LaneBlock* blocks) noexcept {
     HWY_DYNAMIC_DISPATCH(solveMany)(machine, lengths, count, tolerance, maxIterations, blocks);
+}
+
+void laneDeterminants(const LaneMachine& machine, const PoseVector* poses, std::size_t count,
+                      double* values) noexcept {
+    HWY_DYNAMIC_DISPATCH(determinants)(machine, poses, count, values);
 }
 
 } // namespace hexapose

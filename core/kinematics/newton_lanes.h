@@ -71,4 +71,8 @@ std::size_t laneCount() noexcept;
 void solveLanes(const LaneMachine& machine, const LegLengths* lengths, std::size_t count, double tolerance,
                 int maxIterations, LaneBlock* blocks) noexcept;
 
+/// Determinants of the Jacobian at `count` poses, positive on home's side. Angles: up to 1.6 rad.
+void laneDeterminants(const LaneMachine& machine, const PoseVector* poses, std::size_t count,
+                      double* values) noexcept;
+
 } // namespace hexapose
