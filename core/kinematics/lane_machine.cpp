@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/geometry/units.h"
 #include "core/kinematics/leg_equations.h"
-#include "core/kinematics/random_poses.h"
+#include "core/kinematics/pose_samples.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -135,9 +135,9 @@ LaneMachine LegEquations::laneMachine(double homeDeterminant) const {
                 end[k] = ((corner >> k & 1) != 0 ? 1.0 : -1.0) * (k < 3 ? offset : angle);
             good = isFree(end);
         }
-        RandomPoses random(1.0, 1.0, kSeed);
+        PoseSamples samples(1.0, 1.0, kSeed, 0);
         for (int i = 0; good && i < kRays; ++i) {
-            PoseVector end = random().toVector();
+            PoseVector end = samples.next().toVector();
             end /= end.cwiseAbs().maxCoeff();
             end.head<3>() *= offset;
             end.tail<3>() *= angle;

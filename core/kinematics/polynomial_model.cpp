@@ -35,7 +35,7 @@ double rounded(double value) {
 }
 
 bool isTrainable(const PlatformGeometry& geometry, const TrainingSpec& spec, double homeDeterminant) {
-    PoseSamples samples(spec, kProbeSeed, 0);
+    PoseSamples samples(spec.offsetRange, spec.angleRange, kProbeSeed, 0);
     for (int i = 0; i < kProbes; ++i) {
         const SingularityMeasure measure = singularityMeasure(geometry, samples.next());
         if (!(measure.determinant * homeDeterminant > 0.0) ||

@@ -98,7 +98,8 @@ private:
         std::atomic<bool> cancelled = false;
         const auto walk = [&](int lane) {
             for (std::int64_t block = lane; block < m_blocks && !cancelled; block += kLanes) {
-                PoseSamples samples(m_spec, m_spec.seed, static_cast<std::uint64_t>(block));
+                PoseSamples samples(m_spec.offsetRange, m_spec.angleRange, m_spec.seed,
+                                    static_cast<std::uint64_t>(block));
                 const auto count = std::min<std::int64_t>(kBlock, m_spec.samples - block * kBlock);
                 (this->*work)(m_lanes[static_cast<std::size_t>(lane)], samples, static_cast<int>(count));
                 ++done;
@@ -208,7 +209,7 @@ std::optional<PolynomialModel> trainModel(const PlatformGeometry& geometry, cons
 ModelErrors testModel(const PlatformGeometry& geometry, const PolynomialModel& model, std::int64_t samples,
                       std::uint64_t seed) {
     // Training streams are numbered from 0; a fresh set under the same seed must not repeat them.
-    PoseSamples poses(model.spec, seed, ~std::uint64_t{0});
+    PoseSamples poses(model.spec.offsetRange, model.spec.angleRange, seed, ~std::uint64_t{0});
     ModelErrors errors;
     for (std::int64_t i = 0; i < samples; ++i) {
         const Pose truth = poses.next();

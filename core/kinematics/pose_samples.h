@@ -3,18 +3,18 @@
 #pragma once
 
 #include "core/geometry/pose.h"
-#include "core/kinematics/polynomial_model.h"
 
 #include <cstdint>
 
 namespace hexapose {
 
-/// Random poses, uniform in the box of a specification. Stream i of a seed is independent of stream j, and
-/// the same on every machine (SplitMix64; no std distribution, which differs between libraries).
+/// Random poses, uniform in a box about home. Stream i of a seed is independent of stream j, and the same on
+/// every machine (SplitMix64; no std distribution, which differs between libraries).
 class PoseSamples {
 public:
-    PoseSamples(const TrainingSpec& spec, std::uint64_t seed, std::uint64_t stream) noexcept
-        : m_offsetRange(spec.offsetRange), m_angleRange(spec.angleRange),
+    /// offsetRange: +- m; angleRange: +- rad.
+    PoseSamples(double offsetRange, double angleRange, std::uint64_t seed, std::uint64_t stream) noexcept
+        : m_offsetRange(offsetRange), m_angleRange(angleRange),
           m_state(scramble(seed) ^ scramble(~stream * kStep)) {}
 
     Pose next() noexcept {

@@ -94,7 +94,8 @@ const PolynomialModel& Experiment::model(int set, int degree) {
 const std::vector<Experiment::TestPose>& Experiment::testPoses(int set) {
     std::vector<TestPose>& poses = m_testPoses[static_cast<std::size_t>(set - 1)];
     if (poses.empty()) {
-        PoseSamples samples(specOf(set, 1, 1), kTestSeed, static_cast<std::uint64_t>(set));
+        const TrainingSpec box = specOf(set, 1, 1);
+        PoseSamples samples(box.offsetRange, box.angleRange, kTestSeed, static_cast<std::uint64_t>(set));
         for (int i = 0; i < m_size.test; ++i) {
             const Pose truth = samples.next();
             poses.push_back({truth, legLengths(m_platform, truth)});
