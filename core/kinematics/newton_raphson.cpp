@@ -190,21 +190,27 @@ void NewtonRaphson::solveRange(std::span<const LegLengths> lengths,
     for (std::size_t first = 0; first < lengths.size(); first += lanes * blocks.size()) {
         const std::size_t count = std::min(lanes * blocks.size(), lengths.size() - first);
         solveLanes(m_lanes, lengths.data() + first, count, m_tolerance, m_maxIterations, blocks.data());
-        for (std::size_t i = 0; i < count; ++i) {
-            const LaneBlock& block = blocks[i / lanes];
-            const std::size_t lane = i % lanes;
-            ForwardResult& result = results[first + i];
-            if (!block.clear[lane]) {
-                result = solve(lengths[first + i], Pose{});
-                continue;
-            }
-            result.pose.offset = {block.pose[0][lane], block.pose[1][lane], block.pose[2][lane]};
-            result.pose.angles = {block.pose[3][lane], block.pose[4][lane], block.pose[5][lane]};
-            result.status = SolveStatus::Converged;
-            result.iterations = static_cast<int>(block.iterations[lane]);
-            result.residual = block.residual[lane];
-            result.accurate = true;
+        for (std::size_t row = 0; row < count; row += lanes) {
+            const std::size_t here = first + row, rows = std::min(lanes, count - row);
+            takeOut(blocks[row / lanes], lengths.subspan(here, rows), results.subspan(here, rows));
         }
+    }
+}
+
+void NewtonRaphson::takeOut(const LaneBlock& block, std::span<const LegLengths> lengths,
+                            std::span<ForwardResult> results) const noexcept {
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        ForwardResult& result = results[i];
+        if (!block.clear[i]) {
+            result = solve(lengths[i], Pose{});
+            continue;
+        }
+        result.pose.offset = {block.pose[0][i], block.pose[1][i], block.pose[2][i]};
+        result.pose.angles = {block.pose[3][i], block.pose[4][i], block.pose[5][i]};
+        result.status = SolveStatus::Converged;
+        result.iterations = static_cast<int>(block.iterations[i]);
+        result.residual = block.residual[i];
+        result.accurate = true;
     }
 }
 

@@ -64,6 +64,8 @@ private:
                          const LegEquations::Legs& target) const noexcept;
     bool isNear(const Pose& pose, double partOfHome) const noexcept;
     void solveRange(std::span<const LegLengths> lengths, std::span<ForwardResult> results) const noexcept;
+    void takeOut(const LaneBlock& block, std::span<const LegLengths> lengths,
+                 std::span<ForwardResult> results) const noexcept;
 
     LegEquations m_equations;
     double m_tolerance;
