@@ -149,7 +149,7 @@ struct Newton : LaneSteps<D> {
     static HWY_INLINE bool advance(const LaneMachine& machine, const Limits& limits, Run& run) {
         Rows rows;
         if constexpr (kSingle && kHasPairs)
-            evaluateInPairs(machine, run, rows);
+            evaluateInPairs(unknown(machine), run, rows);
         else
             evaluate(machine, run.place, run.rotation, run.to, rows);
         if (run.steps == 0)

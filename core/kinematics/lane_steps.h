@@ -21,6 +21,16 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// The same machine. A compiler that knows its numbers from before keeps them in more registers than there
+/// are, and reads them back from the stack; one that does not takes them from where they are.
+HWY_INLINE const LaneMachine& unknown(const LaneMachine& machine) {
+    const LaneMachine* same = &machine;
+#if HWY_COMPILER_GCC || HWY_COMPILER_CLANG
+    asm volatile("" : "+r"(same));
+#endif
+    return *same;
+}
+
 /// One leg, or several side by side: leg vector, and right-hand side |d| (l - |d|) of its equation.
 template <class V>
 struct LegRow {
@@ -161,12 +171,7 @@ struct LaneSteps {
 
     /// Only for those who take a step.
     static HWY_INLINE void moments(const LaneMachine& machine, Rows& rows) {
-        // A compiler that knows these numbers from before keeps them, in more registers than there are.
-        const LaneMachine* again = &machine;
-#if HWY_COMPILER_GCC || HWY_COMPILER_CLANG
-        asm("" : "+r"(again));
-#endif
-        momentsOfLegs(*again, rows, std::make_index_sequence<kLegCount>());
+        momentsOfLegs(unknown(machine), rows, std::make_index_sequence<kLegCount>());
     }
     template <std::size_t... i>
     static HWY_INLINE void momentsOfLegs(const LaneMachine& machine, Rows& rows, std::index_sequence<i...>) {
