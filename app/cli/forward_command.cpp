@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -24,6 +25,7 @@ constexpr const char* kColumns = "x_mm,y_mm,z_mm,alpha_deg,beta_deg,gamma_deg,st
 constexpr const char* kDetails = ",position_bound_mm,rotation_bound_deg,condition,smallest_singular_value,x_"
                                  "sigma_mm,y_sigma_mm,z_sigma_mm,"
                                  "alpha_sigma_deg,beta_sigma_deg,gamma_sigma_deg";
+constexpr const char* kFallbackDetails = ",fallback,fallback_step";
 constexpr int kDetailCount = 10;
 
 void appendRow(std::string& out, const ForwardResult& result) {
@@ -62,6 +64,36 @@ void appendDetails(std::string& out, const PlatformGeometry& platform, const For
         append(sigma[k], k < 3 ? mmText(sigma[k]) : degText(sigma[k]));
 }
 
+/// Of --start: home also before the first of the previous ones, or a known pose, "x,y,z,alpha,beta,gamma".
+Pose startPose(const std::string& text) {
+    if (text == "home" || text == "previous")
+        return {};
+    const QStringList words = QString::fromStdString(text).split(QLatin1Char(','));
+    PoseVector pose;
+    for (int k = 0; k < 6; ++k) {
+        const auto number =
+            words.size() == 6 ? parseNumber(words[k].trimmed().toStdString()) : std::optional<double>();
+        if (!number || !std::isfinite(*number))
+            throw InputError("--start", "'" + text +
+                                            "' is neither home nor previous nor a pose (six numbers, mm and "
+                                            "deg, with commas)");
+        pose[k] = k < 3 ? metresFromMm(*number) : radiansFromDeg(*number);
+    }
+    return Pose::fromVector(pose);
+}
+
+/// Whether MPR-NR was not sure of its branch, so that the path from the start was followed, what came of it,
+/// and at which step it ended. "followed": the pose is the end of the path. "confirmed": the path led to the
+/// solver's own pose. "stopped": before a singular pose, and the row is the solver's. Empty: it was sure.
+void appendFallback(std::string& out, const PathFallback::Answer& answer) {
+    if (!answer.path) {
+        out += ",,";
+        return;
+    }
+    out += answer.fromPath ? ",followed," : answer.result.isUsable() ? ",confirmed," : ",stopped,";
+    out += std::to_string(answer.path->step);
+}
+
 } // namespace
 
 int forwardCommand(const QStringList& words) {
@@ -69,38 +101,46 @@ int forwardCommand(const QStringList& words) {
         "forward", {QStringLiteral("LENGTHS.csv")},
         {{"method", "M", "newton, newton-as-published, mpr2, mpr3, mpr2-nr, mpr3-nr (default) or fsi."},
          {"model", "FILE", "Regression model (default: the platform's own, trained on first use)."},
-         {"start", "home|previous", "Where iteration begins (default: home)."},
+         {"start", "home|previous|POSE",
+          "Where iteration begins (default: home); POSE: six numbers, mm and deg."},
          {"tolerance-mm", "T", "Largest residual of a solution, mm."},
          {"max-iterations", "N", "Most Newton iterations (default: 50)."},
          {"steps", "N", "Steps of fsi (default: 1000)."},
          {"form", "open|closed|corrected", "Form of a step of fsi (default: corrected)."},
-         {"details", "", "Also bounds of the error, condition, and standard deviations."},
+         {"details", "", "Also bounds of the error, condition, standard deviations, and the fallback."},
          {"resolution-mm", "R", "Resolution of the lengths, for --details (default: 0.1)."}},
         words);
     const std::string start = arguments.text("start", "home");
-    if (start != "home" && start != "previous")
-        throw InputError("--start", "'" + start + "' is neither home nor previous");
+    Pose from = startPose(start);
     const bool details = arguments.has("details");
     const double resolution = metresFromMm(arguments.positive("resolution-mm", 0.1));
     const PlatformGeometry platform = arguments.platform();
     const CsvTable table = readCsv(arguments.operand(0));
     const NumberRows rows(table, kLengthColumns);
     const ChosenSolver chosen = chooseSolver(arguments, platform);
+    const PathFallback* fallback = chosen.fallback();
 
     bool allOk = true;
-    Pose from;
     std::string out = kColumns;
-    out += details ? std::string(kDetails) + "\n" : "\n";
+    out += details ? std::string(kDetails) + kFallbackDetails + "\n" : "\n";
     for (const CsvTable::Row& row : everyRow(table)) {
-        ForwardResult result; // invalid-input
-        if (const auto lengths = rows.read(row))
-            result = chosen.solver->solve(lengths->unaryExpr(&metresFromMm), from);
+        PathFallback::Answer answer; // invalid-input
+        if (const auto lengths = rows.read(row)) {
+            const LegLengths metres = lengths->unaryExpr(&metresFromMm);
+            if (fallback != nullptr)
+                answer = fallback->answer(metres, from);
+            else
+                answer.result = chosen.solver->solve(metres, from);
+        }
+        const ForwardResult& result = answer.result;
         if (start == "previous" && result.isUsable())
             from = result.pose;
         allOk = allOk && result.isUsable();
         appendRow(out, result);
-        if (details)
+        if (details) {
             appendDetails(out, platform, result, resolution);
+            appendFallback(out, answer);
+        }
         out += "\n";
     }
     std::fwrite(out.data(), 1, out.size(), stdout);

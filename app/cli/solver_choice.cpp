@@ -50,8 +50,13 @@ PolynomialModel givenModel(const std::string& file, const PlatformGeometry& plat
 }
 
 ChosenSolver withModel(const ForwardMethod& method, const PlatformGeometry& platform,
-                       const PolynomialModel& model, const NewtonOptions& options) {
-    return {makeForwardSolver(method, platform, &model, options), model.fingerprint()};
+                       const PolynomialModel& model, const NewtonOptions& options, bool limitGiven = false) {
+    PathFallbackOptions fallback;
+    fallback.tolerance = options.tolerance;
+    fallback.afterIterationLimit = !limitGiven; // who gives one wants to see what it does
+    return {
+        withPathFallback(method, platform, makeForwardSolver(method, platform, &model, options), fallback),
+        model.fingerprint()};
 }
 
 void refuseOption(const Arguments& arguments, const char* option, const std::string& cause) {
@@ -107,7 +112,7 @@ ChosenSolver chooseSolver(const Arguments& arguments, const PlatformGeometry& pl
     const PolynomialModel model = arguments.has("model")
                                       ? givenModel(arguments.requiredText("model"), platform, method)
                                       : ownModel(platform, method);
-    return withModel(method, platform, model, options);
+    return withModel(method, platform, model, options, arguments.has("max-iterations"));
 }
 
 ChosenSolver makeDefaultSolver(const ForwardMethod& method, const PlatformGeometry& platform) {

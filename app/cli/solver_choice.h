@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/cli/arguments.h"
+#include "core/finite_step/path_fallback.h"
 #include "core/finite_step/step_form.h"
 #include "core/geometry/platform_geometry.h"
 #include "core/kinematics/forward_methods.h"
@@ -15,16 +16,19 @@
 namespace hexapose {
 
 struct ChosenSolver {
-    std::unique_ptr<ForwardSolver> solver;
+    std::shared_ptr<const ForwardSolver> solver;
     std::string modelFingerprint; ///< empty: no model
+
+    /// Of MPR-NR: the solver again, as the one that can tell whether it followed a path. Else null.
+    const PathFallback* fallback() const { return dynamic_cast<const PathFallback*>(solver.get()); }
 };
 
 /// A command's own options, and those that chooseSolver() reads.
 std::vector<OptionSpec> withSolverOptions(std::vector<OptionSpec> own);
 
-/// The solver of --method, --model, --tolerance-mm, --max-iterations, --steps and --form. A method that needs
-/// a model gets the one of --model, or the platform's own, trained on first use with a progress bar on a
-/// terminal.
+/// The solver, MPR-NR with its fallback, of --method, --model, --tolerance-mm, --max-iterations, --steps and
+/// --form. A method that needs a model gets the one of --model, or the platform's own, trained on first use
+/// with a progress bar on a terminal.
 ChosenSolver chooseSolver(const Arguments& arguments, const PlatformGeometry& platform);
 
 /// The solver of a method with its default options and the platform's own model.

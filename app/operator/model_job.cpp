@@ -3,6 +3,7 @@
 #include "app/operator/model_job.h"
 
 #include "core/finite_step/finite_step_solver.h"
+#include "core/finite_step/path_fallback.h"
 #include "core/kinematics/forward_methods.h"
 #include "core/kinematics/model_cache.h"
 
@@ -60,7 +61,8 @@ void ModelJob::work() {
             emit cancelled();
             return;
         }
-        emit ready({makeForwardSolver(*method, m_geometry, &cached->model, NewtonOptions{}),
+        emit ready({withPathFallback(*method, m_geometry,
+                                     makeForwardSolver(*method, m_geometry, &cached->model, NewtonOptions{})),
                     cached->model.fingerprint()});
     } catch (const std::exception& error) {
         emit failed(QString::fromUtf8(error.what()));

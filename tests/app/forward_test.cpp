@@ -73,6 +73,36 @@ TEST(Forward, ForeignLocalesChangeNoNumber) {
     EXPECT_EQ(same.out, plain.out);
 }
 
+/// From a pose that is known, to one 3 mm and 2 deg further: the regression leads to a third one, far away,
+/// of the same lengths.
+TEST(Forward, MprNewtonFollowsThePathFromAKnownPoseWhereItIsNotSure) {
+    const std::string known = "1.43,2.61,-20.34,-69.41,-66.87,-68.03";
+    const Six truth{0.52, 3.64, -18.35, -70.33, -65.49, -66.64};
+    const std::string lengths = csv(lengthColumns(), {laboratory().lengths(truth)});
+    const Outcome outcome = cli({"forward", "-", "--start=" + known, "--details"}, lengths);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const Table table(outcome.out);
+    ASSERT_EQ(table.rows.size(), 1U);
+    for (std::size_t k = 0; k < 6; ++k)
+        EXPECT_NEAR(table.number(0, poseColumns()[k]), truth[k], 1e-6);
+    EXPECT_EQ(table.field(0, "status"), "converged");
+    EXPECT_EQ(table.field(0, "fallback"), "followed");
+    EXPECT_EQ(table.field(0, "fallback_step"), "1000");
+    const Table fromHome(
+        cli({"forward", "-", "--details"}, lengths + kPublished.substr(kPublished.find('\n') + 1)).out);
+    EXPECT_GT(std::abs(fromHome.number(0, "x_mm") - truth[0]), 1.0) << "then there is nothing to show here";
+    EXPECT_EQ(fromHome.field(1, "fallback"), "");
+    EXPECT_EQ(fromHome.field(1, "fallback_step"), "");
+}
+
+TEST(Forward, BadStartsAreRefused) {
+    for (const char* start : {"here", "1,2,3", "1,2,3,4,5,6,7", "1,2,3,4,5,nan", "1,2,3,4,5,"}) {
+        const Outcome outcome = cli({"forward", "-", std::string("--start=") + start}, kPublished);
+        EXPECT_EQ(outcome.status, 2) << start;
+        EXPECT_NE(outcome.err.find("--start"), std::string::npos) << outcome.err;
+    }
+}
+
 struct RoundTripCase {
     const char* name;
     Machine machine;

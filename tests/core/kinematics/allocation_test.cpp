@@ -3,7 +3,9 @@
 // No solver may allocate: it runs in the control cycle. The linker sends every malloc of the libraries here.
 #include "core/finite_step/finite_step_solver.h"
 #include "core/finite_step/node_path.h"
+#include "core/finite_step/path_fallback.h"
 #include "core/kinematics/forward_methods.h"
+#include "core/kinematics/mpr_newton.h"
 #include "test_machines.h"
 
 #include <gtest/gtest.h>
@@ -81,6 +83,22 @@ TEST(Allocation, NoSolverAllocates) {
         EXPECT_EQ(allocations, before) << method.word;
         EXPECT_GT(usable, 0) << method.word;
     }
+}
+
+TEST(Allocation, NoFallbackAllocates) {
+    const PlatformGeometry machine = laboratory();
+    const auto model = trainModel(machine, {3, 0.02, 0.3, 2000, 1});
+    const PathFallback solver(machine, std::make_shared<MprNewton>(machine, *model, NewtonOptions{1e-10, 2}));
+    RandomPoses poses(0.08, 1.3, 61);
+    const int before = allocations;
+    int followed = 0, stopped = 0;
+    for (int i = 0; i < 100; ++i) { // two iterations are too few for most
+        const auto answer = solver.answer(legLengths(machine, poses.next()), Pose{});
+        followed += answer.fromPath;
+        stopped += answer.path && !answer.fromPath;
+    }
+    EXPECT_EQ(allocations, before);
+    EXPECT_TRUE(followed > 0 && stopped > 0) << followed << " and " << stopped;
 }
 
 TEST(Allocation, NoStepAllocates) {
