@@ -1,6 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: MIT
 // What others may include. Who takes one away breaks their programs.
+#include <hexapose/core/finite_step/drive_path.h>
+#include <hexapose/core/finite_step/finite_step_solver.h>
+#include <hexapose/core/finite_step/leg_path.h>
+#include <hexapose/core/finite_step/mechanism.h>
+#include <hexapose/core/finite_step/mechanism_file.h>
+#include <hexapose/core/finite_step/motion_tracking.h>
+#include <hexapose/core/finite_step/node_path.h>
+#include <hexapose/core/finite_step/path_fallback.h>
+#include <hexapose/core/finite_step/pose_errors.h>
+#include <hexapose/core/finite_step/step_system.h>
 #include <hexapose/core/geometry/euler_angles.h>
 #include <hexapose/core/geometry/geometry_file.h>
 #include <hexapose/core/geometry/input_error.h>

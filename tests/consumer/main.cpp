@@ -1,5 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: MIT
+#include <hexapose/core/finite_step/finite_step_solver.h>
+#include <hexapose/core/finite_step/path_fallback.h>
+#include <hexapose/core/finite_step/step_system.h>
 #include <hexapose/core/geometry/geometry_file.h>
 #include <hexapose/core/geometry/units.h>
 #include <hexapose/core/kinematics/mpr_newton.h>
@@ -8,11 +11,20 @@
 
 #include <exception>
 #include <iostream>
+#include <memory>
 
 namespace {
 
 using hexapose::ForwardResult;
 using hexapose::PoseVector;
+
+/// The same platform as a mechanism of points and equations, which the library does not know beforehand.
+bool followsAsAMechanism(const hexapose::PlatformGeometry& platform) {
+    const hexapose::StepSystem system(hexapose::mechanismOf(platform), "laboratory");
+    std::cout << "mechanism: " << system.unknowns() << " unknowns, condition " << system.homeCondition()
+              << '\n';
+    return system.unknowns() == 12 && system.homeCondition() < 10.0;
+}
 
 /// The published measurement: its lengths, and their pose to the digits that the lengths are good for.
 const hexapose::LegLengths kLengths =
@@ -39,8 +51,11 @@ int main(int argc, char* argv[]) try {
     hexapose::TrainingSpec spec = hexapose::defaultTrainingSpec(platform, 3);
     spec.samples = 5000;
     const auto model = hexapose::trainModel(platform, spec);
-    const bool right = isRight(hexapose::NewtonRaphson(platform, {})) && model &&
-                       isRight(hexapose::MprNewton(platform, *model, {}));
+    const bool right =
+        followsAsAMechanism(platform) && isRight(hexapose::NewtonRaphson(platform, {})) &&
+        isRight(hexapose::FiniteStepSolver(platform, {})) && model &&
+        isRight(hexapose::PathFallback(
+            platform, std::make_shared<hexapose::MprNewton>(platform, *model, hexapose::NewtonOptions{})));
     std::cout << (right ? "as published\n" : "not as published\n");
     return right ? 0 : 1;
 } catch (const std::exception& error) {
