@@ -169,6 +169,30 @@
         <source>Leave a stop or a fault; nothing moves</source>
         <translation>退出停止或故障状态；不会产生运动</translation>
     </message>
+    <message>
+        <source>The solver cannot be changed while the platform moves.</source>
+        <translation>平台运动时不能更换求解器。</translation>
+    </message>
+    <message>
+        <source>The solver is being made ready.</source>
+        <translation>正在准备求解器。</translation>
+    </message>
+    <message>
+        <source>What makes the pose of the leg lengths.
+MPR3-NR, MPR2-NR: regression, then Newton
+Newton: iteration alone
+FSI: follows the path of the legs in small steps
+Changing it moves nothing.</source>
+        <translation>由杆长求位姿的方法。
+MPR3-NR、MPR2-NR：先回归，再用牛顿法修正
+Newton：仅用牛顿迭代
+FSI：以小步沿支腿路径跟踪
+更换求解器不会引起运动。</translation>
+    </message>
+    <message>
+        <source>Solver</source>
+        <translation>求解器</translation>
+    </message>
 </context>
 <context>
     <name>hexapose::Console</name>
@@ -183,6 +207,10 @@
     <message>
         <source>Newton&apos;s method is used in its place.</source>
         <translation>改用牛顿法。</translation>
+    </message>
+    <message>
+        <source>The solver stays as it was.</source>
+        <translation>求解器保持不变。</translation>
     </message>
 </context>
 <context>
@@ -437,6 +465,10 @@
     <message>
         <source>Jog started</source>
         <translation>点动开始</translation>
+    </message>
+    <message>
+        <source>The solver is now %1</source>
+        <translation>当前求解器为 %1</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@
 #include "app/common/directories.h"
 #include "app/operator/pose_book.h"
 #include "core/device/serial/serial_ports.h"
+#include "ui/common/solver_choices.h"
 #include "ui/panels/banner.h"
 #include "ui/panels/event_list.h"
 #include "ui/panels/named_poses.h"
@@ -22,6 +23,7 @@ namespace {
 
 const QString kLanguageKey = QStringLiteral("language");
 const QString kThemeKey = QStringLiteral("theme");
+const QString kSolverKey = QStringLiteral("solver");
 
 QStringList serialPortPaths() {
     QStringList paths;
@@ -34,8 +36,7 @@ QStringList serialPortPaths() {
 } // namespace
 
 Console::Console(QApplication& application, const OperatorOptions& options, const PlatformGeometry& geometry)
-    : m_application(application), m_options(options), m_geometry(geometry),
-      m_model(geometry, options.method, cacheDirectory()) {
+    : m_application(application), m_options(options), m_geometry(geometry) {
     QSettings settings;
     chooseLook(settings);
     m_window = std::make_unique<OperatorWindow>(geometry, serialPortPaths);
@@ -65,12 +66,13 @@ Console::Console(QApplication& application, const OperatorOptions& options, cons
         QSettings kept;
         saveNamedPoses(kept, m_geometry.fingerprint(), named.poses());
     });
-    connect(&m_model, &ModelJob::progressed, this,
-            [this](double part) { m_window->banner().showTraining(part); });
-    connect(&m_model, &ModelJob::ready, this, &Console::openSession);
-    connect(&m_model, &ModelJob::cancelled, this, [this] { useNewton({}); });
-    connect(&m_model, &ModelJob::failed, this, &Console::useNewton);
-    connect(&m_window->banner(), &Banner::cancelRequested, this, [this] { m_model.cancel(); });
+    connect(&m_window->banner(), &Banner::cancelRequested, this, [this] { m_model->cancel(); });
+    if (m_options.method.empty()) {
+        const std::string remembered = settings.value(kSolverKey).toString().toStdString();
+        m_options.method = isSolverChoice(remembered) ? remembered : std::string(kSolverChoices.front());
+    }
+    connect(&m_window->connectionPanel(), &ConnectionPanel::solverChosen, this,
+            [this](const QString& word) { makeSolver(word.toStdString()); });
 }
 
 Console::~Console() = default;
@@ -89,11 +91,35 @@ void Console::chooseLook(QSettings& settings) {
 
 void Console::start() {
     m_window->show();
-    m_model.start();
+    m_window->connectionPanel().setSolver(m_options.method);
+    makeSolver(m_options.method);
+}
+
+/// No other is chosen meanwhile, so that the job before this one is at its end.
+void Console::makeSolver(const std::string& method) {
+    m_window->connectionPanel().setSolverPending(true);
+    m_model = std::make_unique<ModelJob>(m_geometry, method, cacheDirectory());
+    connect(m_model.get(), &ModelJob::progressed, this,
+            [this](double part) { m_window->banner().showTraining(part); });
+    connect(m_model.get(), &ModelJob::ready, this, &Console::useSolver);
+    connect(m_model.get(), &ModelJob::cancelled, this, [this] { doWithout({}); });
+    connect(m_model.get(), &ModelJob::failed, this, &Console::doWithout);
+    m_model->start();
+}
+
+void Console::useSolver(const ReadySolver& solver) {
+    m_window->banner().endTraining({});
+    m_window->connectionPanel().setSolverPending(false);
+    if (m_window->session() == nullptr) {
+        openSession(solver);
+        return;
+    }
+    m_window->setSolver(solver.solver, solver.modelFingerprint);
+    const std::string_view word = solver.solver->name();
+    QSettings().setValue(kSolverKey, QString::fromLatin1(word.data(), static_cast<qsizetype>(word.size())));
 }
 
 void Console::openSession(const ReadySolver& solver) {
-    m_window->banner().endTraining({});
     SessionSetup setup;
     setup.geometry = m_geometry;
     setup.solver = solver.solver;
@@ -110,15 +136,26 @@ void Console::openSession(const ReadySolver& solver) {
     }
 }
 
-void Console::useNewton(const QString& reason) {
+/// At the start Newton's method serves in place of the model, later on what was there before.
+void Console::doWithout(const QString& reason) {
+    const bool first = m_window->session() == nullptr;
     m_window->events().addNote(
-        [reason] {
+        [reason, first] {
             const QString cause = reason.isEmpty() ? tr("The training of the model was cancelled")
                                                    : tr("The model could not be trained: %1").arg(reason);
-            return EventText{cause, tr("Newton's method is used in its place."), Tone::Warn};
+            return EventText{cause,
+                             first ? tr("Newton's method is used in its place.")
+                                   : tr("The solver stays as it was."),
+                             Tone::Warn};
         },
         std::chrono::system_clock::now());
-    openSession(m_model.withoutModel());
+    if (first) {
+        useSolver(m_model->withoutModel());
+        return;
+    }
+    m_window->banner().endTraining({});
+    m_window->connectionPanel().setSolverPending(false);
+    m_window->connectionPanel().setSolver(m_window->session()->setup().solver->name());
 }
 
 } // namespace hexapose

@@ -10,12 +10,15 @@
 
 #include <QObject>
 
+#include <memory>
+#include <string>
+
 class QApplication;
 class QSettings;
 
 namespace hexapose {
 
-/// Puts the console together: look, language, window, model, session.
+/// Puts the console together: look, language, window, solver, session.
 class Console final : public QObject {
     Q_OBJECT
 public:
@@ -26,8 +29,10 @@ public:
 
 private:
     void chooseLook(QSettings& settings);
+    void makeSolver(const std::string& method);
+    void useSolver(const ReadySolver& solver);
     void openSession(const ReadySolver& solver);
-    void useNewton(const QString& reason);
+    void doWithout(const QString& reason);
 
     QApplication& m_application;
     OperatorOptions m_options;
@@ -35,7 +40,7 @@ private:
     LanguageSwitch m_language;
     ThemeKind m_theme = ThemeKind::Light;
     std::unique_ptr<OperatorWindow> m_window;
-    ModelJob m_model;
+    std::unique_ptr<ModelJob> m_model; ///< of the solver in use, or of the one that is being made ready
 };
 
 } // namespace hexapose

@@ -5,9 +5,8 @@
 #include "core/geometry/input_error.h"
 #include "core/geometry/number_text.h"
 #include "ui/common/language.h"
+#include "ui/common/solver_choices.h"
 
-#include <algorithm>
-#include <array>
 #include <string_view>
 #include <unistd.h>
 
@@ -41,9 +40,12 @@ QString languageOf(const std::string& text) {
 }
 
 std::string methodOf(const std::string& text) {
-    constexpr std::array<std::string_view, 4> kMethods{"mpr3-nr", "mpr2-nr", "newton", "fsi"};
-    if (std::find(kMethods.begin(), kMethods.end(), text) == kMethods.end()) {
-        throw InputError("--method " + text, "no such method; there are mpr3-nr, mpr2-nr, newton, fsi");
+    if (!isSolverChoice(text)) {
+        std::string known;
+        for (const std::string_view word : kSolverChoices) {
+            known += (known.empty() ? "" : ", ") + std::string(word);
+        }
+        throw InputError("--method " + text, "no such method; there are " + known);
     }
     return text;
 }
@@ -169,9 +171,9 @@ std::string operatorHelp() {
            "  --port PATH       connect to this serial port at once\n"
            "  --baud N          its baud rate (115200)\n"
            "  --platform FILE   platform file, or the name of a shipped one (laboratory)\n"
-           "  --method M        forward method: mpr3-nr (the default), mpr2-nr, newton, or fsi, which "
+           "  --method M        forward method for this once: mpr3-nr, mpr2-nr, newton, or fsi, which "
            "follows\n"
-           "                    the way of the legs in small steps\n"
+           "                    the way of the legs in small steps (the one chosen last, at first mpr3-nr)\n"
            "  --log-dir DIR     where the logs go\n"
            "  --language CODE   en or zh_CN (the desktop's)\n"
            "  --theme light|dark\n"

@@ -16,7 +16,7 @@ namespace hexapose {
 struct OperatorOptions {
     std::optional<ConnectionChoice> connection; ///< connect at once; empty: the operator does
     std::string platform = "laboratory";
-    std::string method = "mpr3-nr";     ///< forward method: mpr3-nr, mpr2-nr, newton or fsi
+    std::string method;                 ///< of kSolverChoices; empty: remembered, or the first of them
     std::filesystem::path logDirectory; ///< empty: the usual one
     QString language;                   ///< empty: remembered, or the desktop's
     std::optional<ThemeKind> theme;

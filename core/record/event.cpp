@@ -18,7 +18,7 @@ struct EventWord {
     bool carriesValue = false;
 };
 
-constexpr std::array<EventWord, 36> kEventWords{{
+constexpr std::array<EventWord, 37> kEventWords{{
     {EventCode::Connected, "connected"},
     {EventCode::ListenOnly, "listen-only"},
     {EventCode::LinkLost, "link-lost"},
@@ -55,13 +55,14 @@ constexpr std::array<EventWord, 36> kEventWords{{
     {EventCode::DisableUnconfirmed, "disable-unconfirmed"},
     {EventCode::JogStarted, "jog-started"},
     {EventCode::JogLimited, "jog-limited"},
+    {EventCode::SolverChanged, "solver-changed"},
 }};
 // One word for every code, in the order of the codes: a code without its word does not compile.
 static_assert([] {
     for (std::size_t i = 0; i < kEventWords.size(); ++i)
         if (static_cast<std::size_t>(kEventWords[i].code) != i)
             return false;
-    return static_cast<std::size_t>(EventCode::JogLimited) + 1 == kEventWords.size();
+    return static_cast<std::size_t>(EventCode::SolverChanged) + 1 == kEventWords.size();
 }());
 
 constexpr std::string_view kSeparator = "; ";

@@ -46,7 +46,8 @@ enum class EventCode {
     StoppedAfterLoss,        ///< the link is back after a loss in mid-move: a stop was sent
     DisableUnconfirmed,      ///< the closing ended without a word that the drives are off
     JogStarted,
-    JogLimited, ///< a jog came to rest before a limit; detail: the verdict's word form
+    JogLimited,    ///< a jog came to rest before a limit; detail: the verdict's word form
+    SolverChanged, ///< from this cycle on; detail: its word, then the fingerprint of its model
 };
 
 struct Event {

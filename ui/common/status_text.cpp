@@ -123,6 +123,9 @@ QString solveStatusText(SolveStatus status) {
 }
 
 QString solverTitle(std::string_view word) {
+    if (word == "fsi") {
+        return QStringLiteral("FSI");
+    }
     const ForwardMethod* method = findForwardMethod(word);
     const std::string_view title = method != nullptr ? method->title : word;
     return QString::fromUtf8(title.data(), static_cast<qsizetype>(title.size()));

@@ -4,6 +4,8 @@
 
 #include "core/geometry/number_text.h"
 #include "ui/common/card.h"
+#include "ui/common/solver_choices.h"
+#include "ui/common/status_text.h"
 
 #include <QComboBox>
 #include <QEvent>
@@ -62,6 +64,12 @@ void ConnectionPanel::build() {
         m_baud->addItem(QString::number(rate));
     }
     m_baud->setCurrentText(QString::number(kUsualBaud));
+    m_solverLabel = makeCaption(this);
+    m_solver = new QComboBox(this);
+    for (const std::string_view word : kSolverChoices) {
+        m_solver->addItem(solverTitle(word),
+                          QString::fromLatin1(word.data(), static_cast<qsizetype>(word.size())));
+    }
     m_connect = new QPushButton(this);
     m_reference = new QPushButton(this);
     m_enable = new QPushButton(this);
@@ -75,12 +83,20 @@ void ConnectionPanel::build() {
         row->addWidget(widget);
     }
     row->addSpacing(14);
+    row->addWidget(m_solverLabel);
+    row->addWidget(m_solver);
+    row->addSpacing(14);
     for (QWidget* widget : std::initializer_list<QWidget*>{m_reference, m_enable, m_clear}) {
         row->addWidget(widget);
     }
 
     connect(m_port, &QComboBox::currentTextChanged, this, &ConnectionPanel::updateButtons);
     connect(m_baud, &QComboBox::currentTextChanged, this, &ConnectionPanel::updateButtons);
+    connect(m_solver, &QComboBox::currentIndexChanged, this, [this] {
+        if (const QString word = m_solver->currentData().toString(); !word.isEmpty()) {
+            emit solverChosen(word);
+        }
+    });
     connect(m_connect, &QPushButton::clicked, this, [this] {
         if (m_open) {
             emit disconnectRequested();
@@ -135,6 +151,31 @@ void ConnectionPanel::setAvailable(bool available) {
     updateButtons();
 }
 
+void ConnectionPanel::setSolver(std::string_view word) {
+    const QSignalBlocker quiet(m_solver);
+    m_solver->setCurrentIndex(
+        m_solver->findData(QString::fromLatin1(word.data(), static_cast<qsizetype>(word.size()))));
+}
+
+void ConnectionPanel::setSolverPending(bool pending) {
+    m_solverPending = pending;
+    updateSolver();
+}
+
+/// In mid-move the loop keeps the solver it has.
+void ConnectionPanel::updateSolver() {
+    const bool moving = m_state == RunState::Moving || m_state == RunState::Settling;
+    m_solver->setEnabled(!moving && !m_solverPending);
+    const QString why = moving ? tr("The solver cannot be changed while the platform moves.")
+                        : m_solverPending
+                            ? tr("The solver is being made ready.")
+                            : tr("What makes the pose of the leg lengths.\nMPR3-NR, MPR2-NR: regression, "
+                                 "then Newton\nNewton: iteration alone\nFSI: follows the path of the legs in "
+                                 "small steps\nChanging it moves nothing.");
+    m_solver->setToolTip(why);
+    m_solver->setAccessibleDescription(why);
+}
+
 void ConnectionPanel::setOpen(bool open) {
     m_open = open;
     m_state = RunState::Disconnected;
@@ -151,6 +192,7 @@ void ConnectionPanel::showState(RunState state) {
 }
 
 void ConnectionPanel::updateButtons() {
+    updateSolver();
     m_port->setEnabled(!m_open);
     m_baud->setEnabled(!m_open && !isVirtual());
     m_connect->setEnabled(m_open || (m_available && choice()));
@@ -177,6 +219,9 @@ void ConnectionPanel::retranslate() {
     for (QWidget* widget : std::initializer_list<QWidget*>{m_baud, m_baud->lineEdit()}) {
         widget->setAccessibleName(tr("Baud rate"));
     }
+    m_solverLabel->setText(tr("Solver"));
+    m_solver->setAccessibleName(tr("Solver"));
+    updateSolver();
     const auto name = [](QPushButton* button, const QString& text, const QString& tip) {
         button->setText(text);
         button->setAccessibleName(text);

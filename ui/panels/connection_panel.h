@@ -9,6 +9,7 @@
 #include <QFrame>
 
 #include <functional>
+#include <string_view>
 
 class QComboBox;
 class QLabel;
@@ -19,7 +20,8 @@ namespace hexapose {
 /// Lists the serial ports that the system knows at the moment.
 using PortList = std::function<QStringList()>;
 
-/// Where to connect, and what is done with the machine before it moves: Reference, Enable or Disable, Clear.
+/// Where to connect, which solver makes poses of what comes from there, and what is done with the machine
+/// before it moves: Reference, Enable or Disable, Clear.
 class ConnectionPanel final : public QWidget {
     Q_OBJECT
 public:
@@ -30,12 +32,17 @@ public:
     /// available: there is something to connect with (the model is ready).
     void setAvailable(bool available);
     void setOpen(bool open);
+    /// Shows it as chosen; a word of kSolverChoices, else nothing is.
+    void setSolver(std::string_view word);
+    /// While a solver is made ready no other can be chosen.
+    void setSolverPending(bool pending);
     void showState(RunState state);
 
 signals:
     void connectRequested(const hexapose::ConnectionChoice& choice);
     void disconnectRequested();
     void commandRequested(const hexapose::OperatorCommand& command);
+    void solverChosen(const QString& word);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -44,17 +51,21 @@ private:
     void build();
     void refreshPorts();
     void updateButtons();
+    void updateSolver();
     void retranslate();
     bool isVirtual() const;
 
     PortList m_ports;
     bool m_available = false;
     bool m_open = false;
+    bool m_solverPending = false;
     RunState m_state = RunState::Disconnected;
     QLabel* m_portLabel;
     QComboBox* m_port;
     QLabel* m_baudLabel;
     QComboBox* m_baud;
+    QLabel* m_solverLabel;
+    QComboBox* m_solver;
     QPushButton* m_connect;
     QPushButton* m_reference;
     QPushButton* m_enable;

@@ -220,6 +220,11 @@ EventText progressText(const Event& event) {
         return {EventWords::tr("Settled after %1 s").arg(fixed(event.value, 1)), {}, Tone::Good};
     case EventCode::Cleared:
         return {EventWords::tr("Cleared"), EventWords::tr("Press Run when it is safe to move."), Tone::Idle};
+    case EventCode::SolverChanged:
+        return {EventWords::tr("The solver is now %1")
+                    .arg(solverTitle(std::string_view(event.detail).substr(0, event.detail.find(' ')))),
+                {},
+                Tone::Idle};
     case EventCode::ReportSample:
         return {EventWords::tr("Sample %1 of the report taken").arg(fixed(event.value, 0)), {}, Tone::Idle};
     default:

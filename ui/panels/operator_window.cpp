@@ -114,12 +114,30 @@ void OperatorWindow::setSession(std::unique_ptr<Session> session) {
     m_session = std::move(session);
     connect(m_session.get(), &Session::opened, this, &OperatorWindow::sessionOpened);
     connect(m_session.get(), &Session::closed, this, &OperatorWindow::sessionClosed);
-    m_report->setSolver(m_session->setup().solver);
-    m_motion->setSolver(m_session->setup().solver);
     m_motion->setControl(m_session->setup().control);
     m_legs->settleLine().setControl(m_session->setup().control);
-    m_status->setSolver(m_session->setup().solver->name());
+    m_connection->setSolver(m_session->setup().solver->name());
     m_connection->setAvailable(true);
+    followSolver();
+}
+
+void OperatorWindow::setSolver(const std::shared_ptr<const ForwardSolver>& solver,
+                               const std::string& modelFingerprint) {
+    m_session->setSolver(solver, modelFingerprint);
+    m_connection->setSolver(solver->name());
+    followSolver();
+}
+
+/// What is shown is the solver that the loop has, not the one that was asked for.
+void OperatorWindow::followSolver() {
+    std::shared_ptr<const ForwardSolver> solver = m_session->solver();
+    if (solver == m_solver) {
+        return;
+    }
+    m_solver = std::move(solver);
+    m_report->setSolver(m_solver);
+    m_motion->setSolver(m_solver);
+    m_status->setSolver(m_solver->name());
 }
 
 void OperatorWindow::connectTo(const ConnectionChoice& choice) {
@@ -163,6 +181,7 @@ void OperatorWindow::sessionClosed() {
     showSnapshots(m_session->takeSnapshots()); // the events of the closing
     m_connection->setOpen(false);
     m_banner->showClosed();
+    followSolver();
     m_latest = Snapshot{};
     m_latest.counters = {};
     showLatest();
@@ -176,6 +195,7 @@ void OperatorWindow::tick() {
     const auto failure = m_session->logFailure();
     m_banner->showLogFailure(failure ? QString::fromStdString(*failure) : QString());
     showSnapshots(snapshots);
+    followSolver();
 }
 
 void OperatorWindow::showSnapshots(const std::vector<Snapshot>& snapshots) {

@@ -41,6 +41,8 @@ public:
     /// Until then there is nothing to connect with.
     void setSession(std::unique_ptr<Session> session);
     Session* session() const { return m_session.get(); }
+    /// Another solver for the session: at once while it is closed, else as soon as nothing moves.
+    void setSolver(const std::shared_ptr<const ForwardSolver>& solver, const std::string& modelFingerprint);
     void connectTo(const ConnectionChoice& choice);
     void disconnectFrom();
 
@@ -74,6 +76,7 @@ private:
     void post(const OperatorCommand& command);
     void tick();
     void showLatest();
+    void followSolver();
     void sessionOpened();
     void sessionClosed();
     void askBeforeClosing();
@@ -81,6 +84,7 @@ private:
 
     PlatformGeometry m_geometry;
     std::unique_ptr<Session> m_session;
+    std::shared_ptr<const ForwardSolver> m_solver; ///< that is shown: the one in use
     Snapshot m_latest;
     QElapsedTimer m_sinceSnapshot;
     QTimer m_tick;

@@ -34,7 +34,7 @@ StatusPanel::StatusPanel(QWidget* parent) : QWidget(parent), m_lamp(makeLamp(thi
     m_rate = makeItem(QStringLiteral("Hz"), 5);
     m_age = makeItem(QStringLiteral("ms"), 6);
     m_solver = makeItem({}, 9);
-    m_iterations = makeItem({}, 2);
+    m_iterations = makeItem({}, 4); // steps of FSI
     m_residual = makeItem(QStringLiteral("mm"), 7);
     m_dropped = makeItem({}, 5);
     m_platform = makeItem({}, 18);

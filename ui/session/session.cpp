@@ -23,6 +23,24 @@ namespace {
 
 constexpr std::chrono::seconds kKept{30}; ///< snapshots kept for a screen that does not ask
 
+/// What the loop solves with: another one from one cycle to the next. Of the loop's thread only.
+class ReplaceableSolver final : public ForwardSolver {
+public:
+    explicit ReplaceableSolver(std::shared_ptr<const ForwardSolver> solver) : m_solver(std::move(solver)) {}
+    ForwardResult solve(const LegLengths& lengths, const Pose& start) const noexcept override {
+        return m_solver->solve(lengths, start);
+    }
+    std::string_view name() const noexcept override { return m_solver->name(); }
+    void replace(std::shared_ptr<const ForwardSolver> solver) { m_solver = std::move(solver); }
+
+private:
+    std::shared_ptr<const ForwardSolver> m_solver;
+};
+
+bool moves(RunState state) {
+    return state == RunState::Moving || state == RunState::Settling;
+}
+
 } // namespace
 
 struct Session::Impl {
@@ -37,8 +55,16 @@ struct Session::Impl {
     std::deque<Snapshot> pending;
     std::vector<OperatorCommand> early; ///< posted before the loop was there
     ControlLoop* loop = nullptr;
+    struct Solver {
+        std::shared_ptr<const ForwardSolver> solver;
+        std::string modelFingerprint;
+    };
+    std::optional<Solver> next;                 ///< waits for the loop
+    std::shared_ptr<const ForwardSolver> inUse; ///< by the loop
 
     void run(const ConnectionChoice& choice);
+    /// Between two cycles. Nothing when there is no other solver to take, or something moves.
+    std::optional<Event> takeSolver(ReplaceableSolver& solver, RunState state);
     void deliver(const Snapshot& snapshot);
     void tellFailure(const std::string& reason, const Snapshot& last);
 };
@@ -49,6 +75,19 @@ void Session::Impl::deliver(const Snapshot& snapshot) {
     pending.push_back(snapshot);
     while (snapshot.time - pending.front().time > kKept)
         pending.pop_front();
+}
+
+std::optional<Event> Session::Impl::takeSolver(ReplaceableSolver& solver, RunState state) {
+    const std::lock_guard lock(mutex);
+    if (!next || moves(state))
+        return std::nullopt;
+    solver.replace(next->solver);
+    inUse = next->solver;
+    Event event{EventCode::SolverChanged, 0.0, std::string(inUse->name())};
+    if (!next->modelFingerprint.empty())
+        event.detail += " " + next->modelFingerprint;
+    next.reset();
+    return event;
 }
 
 /// The loop is over: a last snapshot says so, with nothing in it that could be taken for live data.
@@ -78,13 +117,19 @@ void preferThisThread() {
 void Session::Impl::run(const ConnectionChoice& choice) {
     preferThisThread();
     Snapshot last;
+    std::optional<Event> change; // of the solver, told with the cycle that is the first to use it
     try {
         const std::unique_ptr<PlatformDevice> device = factory(choice);
-        ControlLoop control(*device, setup.geometry, *setup.solver, setup.control,
-                            [&](const Snapshot& snapshot) {
-                                last = snapshot;
-                                deliver(snapshot);
-                            });
+        ReplaceableSolver solver([this] {
+            const std::lock_guard lock(mutex);
+            return inUse;
+        }());
+        ControlLoop control(*device, setup.geometry, solver, setup.control, [&](const Snapshot& snapshot) {
+            last = snapshot;
+            if (change)
+                last.events.insert(last.events.begin(), *std::exchange(change, std::nullopt));
+            deliver(last);
+        });
         {
             const std::lock_guard lock(mutex);
             loop = &control;
@@ -94,8 +139,10 @@ void Session::Impl::run(const ConnectionChoice& choice) {
         }
         std::exception_ptr failure;
         try {
-            while (!stop)
+            while (!stop) {
+                change = takeSolver(solver, last.state);
                 control.cycle();
+            }
         } catch (...) {
             failure = std::current_exception();
         }
@@ -114,6 +161,7 @@ void Session::Impl::run(const ConnectionChoice& choice) {
 Session::Session(SessionSetup setup, DeviceFactory factory, QObject* parent)
     : QObject(parent), m_impl(std::make_unique<Impl>()) {
     m_impl->setup = std::move(setup);
+    m_impl->inUse = m_impl->setup.solver;
     m_impl->factory = std::move(factory);
 }
 
@@ -124,6 +172,21 @@ Session::~Session() {
 
 const SessionSetup& Session::setup() const {
     return m_impl->setup;
+}
+
+void Session::setSolver(std::shared_ptr<const ForwardSolver> solver, const std::string& modelFingerprint) {
+    m_impl->setup.solver = solver;
+    m_impl->setup.modelFingerprint = modelFingerprint;
+    const std::lock_guard lock(m_impl->mutex);
+    if (m_impl->thread)
+        m_impl->next = Impl::Solver{std::move(solver), modelFingerprint};
+    else
+        m_impl->inUse = std::move(solver);
+}
+
+std::shared_ptr<const ForwardSolver> Session::solver() const {
+    const std::lock_guard lock(m_impl->mutex);
+    return m_impl->inUse;
 }
 
 void Session::open(const ConnectionChoice& choice) {
@@ -158,6 +221,11 @@ void Session::close() {
     m_impl->thread->wait();
     m_impl->thread.reset();
     m_impl->log.reset();
+    {
+        const std::lock_guard lock(m_impl->mutex);
+        m_impl->next.reset();
+        m_impl->inUse = m_impl->setup.solver; // what waited is what the next connection begins with
+    }
     emit closed();
 }
 

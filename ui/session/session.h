@@ -27,7 +27,7 @@ struct ConnectionChoice {
     int baud = 115200;
 };
 
-/// What a session works with; fixed while it is open.
+/// What a session works with; but for the solver fixed while it is open.
 struct SessionSetup {
     PlatformGeometry geometry;
     std::shared_ptr<const ForwardSolver> solver;
@@ -49,6 +49,10 @@ public:
     ~Session() override; ///< as close()
 
     const SessionSetup& setup() const;
+    /// While open, the loop takes it between two cycles, as soon as nothing moves, and says so by an event.
+    void setSolver(std::shared_ptr<const ForwardSolver> solver, const std::string& modelFingerprint);
+    /// The one in use.
+    std::shared_ptr<const ForwardSolver> solver() const;
     /// Starts the loop's thread and a new log. A port that cannot be opened is told by an event, and tried
     /// again. Throws InputError when the log cannot be created.
     void open(const ConnectionChoice& choice);

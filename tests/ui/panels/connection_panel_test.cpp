@@ -6,6 +6,7 @@
 
 #include <QComboBox>
 #include <QPushButton>
+#include <QTest>
 
 #include <gtest/gtest.h>
 
@@ -68,6 +69,40 @@ TEST_F(ConnectionPanelTest, ButtonsFollowTheState) {
     panel.setOpen(false);
     EXPECT_TRUE(find("Connect")->isEnabled());
     EXPECT_FALSE(find("Reference")->isEnabled());
+}
+
+TEST_F(ConnectionPanelTest, TheSolverIsChosenWhileNothingMoves) {
+    auto* box = find<QComboBox>("Solver");
+    ASSERT_NE(box, nullptr);
+    QStringList chosen;
+    QObject::connect(&panel, &ConnectionPanel::solverChosen, [&](const QString& word) { chosen << word; });
+    panel.setSolver("mpr3-nr");
+    EXPECT_EQ(box->currentText(), "MPR3-NR");
+    EXPECT_TRUE(chosen.isEmpty()) << "shown, not chosen";
+    box->setFocus();
+    QTest::keyClick(box, Qt::Key_End);
+    EXPECT_EQ(box->currentText(), "FSI");
+    EXPECT_EQ(chosen, QStringList{QStringLiteral("fsi")});
+    panel.setOpen(true);
+    for (const RunState state : {RunState::Moving, RunState::Settling}) {
+        panel.showState(state);
+        EXPECT_FALSE(box->isEnabled());
+        EXPECT_NE(box->toolTip().indexOf(QStringLiteral("while the platform moves")), -1);
+        EXPECT_EQ(box->accessibleDescription(), box->toolTip());
+    }
+    for (const RunState state : {RunState::Enabled, RunState::Disabled, RunState::Stopped, RunState::Fault}) {
+        panel.showState(state);
+        EXPECT_TRUE(box->isEnabled());
+        EXPECT_EQ(box->toolTip().indexOf(QStringLiteral("while the platform moves")), -1);
+    }
+    panel.setSolverPending(true);
+    EXPECT_FALSE(box->isEnabled());
+    EXPECT_NE(box->toolTip().indexOf(QStringLiteral("made ready")), -1);
+    panel.setSolverPending(false);
+    EXPECT_TRUE(box->isEnabled());
+    panel.setSolver("newton-as-published");
+    EXPECT_EQ(box->currentIndex(), -1);
+    EXPECT_EQ(chosen.size(), 1);
 }
 
 TEST_F(ConnectionPanelTest, VirtualPlatformStaysChosenInAnotherLanguage) {
