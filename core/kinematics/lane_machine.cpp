@@ -105,11 +105,8 @@ LaneMachine LegEquations::laneMachine(double homeDeterminant) const {
     machine.leastDeterminant = kThere * std::abs(homeDeterminant);
     double slope = 0.0;
     const auto isFree = [&](const PoseVector& end) {
-        std::array<PoseVector, kLooks> poses;
         std::array<double, kLooks> determinants{};
-        for (int i = 1; i <= kLooks; ++i)
-            poses[static_cast<std::size_t>(i) - 1] = end * (static_cast<double>(i) / kLooks);
-        laneDeterminants(machine, poses.data(), poses.size(), determinants.data());
+        laneDeterminants(machine, end, determinants.size(), determinants.data());
         bool gone = false;
         double before = 1.0;
         const double look =

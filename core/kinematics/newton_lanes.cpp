@@ -184,17 +184,15 @@ void solveMany(const LaneMachine& machine, const LegLengths* lengths, std::size_
         }
 }
 
-void determinants(const LaneMachine& machine, const PoseVector* poses, std::size_t count, double* values) {
+void determinants(const LaneMachine& machine, const PoseVector& end, std::size_t count, double* values) {
     using N = Newton<Many>;
     for (std::size_t first = 0; first < count; first += hn::Lanes(Many())) {
-        const auto offset = rowOffsets(count - first);
-        const auto coordinate = [&](int k) HWY_ATTR {
-            return hn::GatherIndex(Many(), poses[first].data() + k, offset);
-        };
+        const N::V part = hn::Mul(hn::Iota(Many(), static_cast<double>(first + 1)),
+                                  N::set(1.0 / static_cast<double>(count)));
         N::V offsets[3], sines[3], cosines[3];
         for (int k = 0; k < 3; ++k) {
-            offsets[k] = coordinate(k);
-            shortSinCos(Many(), hn::Mul(N::set(0.5), coordinate(3 + k)), sines[k], cosines[k]);
+            offsets[k] = hn::Mul(part, N::set(end[k]));
+            shortSinCos(Many(), hn::Mul(part, N::set(0.5 * end[3 + k])), sines[k], cosines[k]);
         }
         N::Run run;
         place<Many>(machine, offsets, sines, cosines, run);
@@ -242,9 +240,9 @@ void solveLanes(const LaneMachine& machine, const LegLengths* lengths, std::size
     HWY_DYNAMIC_DISPATCH(solveMany)(machine, lengths, count, tolerance, maxIterations, blocks);
 }
 
-void laneDeterminants(const LaneMachine& machine, const PoseVector* poses, std::size_t count,
+void laneDeterminants(const LaneMachine& machine, const PoseVector& end, std::size_t count,
                       double* values) noexcept {
-    HWY_DYNAMIC_DISPATCH(determinants)(machine, poses, count, values);
+    HWY_DYNAMIC_DISPATCH(determinants)(machine, end, count, values);
 }
 
 } // namespace hexapose

@@ -71,8 +71,9 @@ std::size_t laneCount() noexcept;
 void solveLanes(const LaneMachine& machine, const LegLengths* lengths, std::size_t count, double tolerance,
                 int maxIterations, LaneBlock* blocks) noexcept;
 
-/// Determinants of the Jacobian at `count` poses, positive on home's side. Angles: up to 1.6 rad.
-void laneDeterminants(const LaneMachine& machine, const PoseVector* poses, std::size_t count,
+/// Determinants of the Jacobian, positive on home's side, at `count` poses evenly spaced on the ray from home
+/// to `end`, which is the last. Its angles: up to 1.6 rad.
+void laneDeterminants(const LaneMachine& machine, const PoseVector& end, std::size_t count,
                       double* values) noexcept;
 
 } // namespace hexapose
