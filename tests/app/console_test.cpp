@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <filesystem>
 #include <functional>
 #include <sstream>
 
@@ -168,6 +169,38 @@ TEST(Console, WithAWindowEndsInOrderByASignal) {
     console.signal(SIGTERM);
     EXPECT_EQ(console.wait().status, 0);
     EXPECT_THAT(controller.payloads("SET"), IsEmpty()) << "nobody asked for a set-point";
+}
+
+/// The solver that the log of a session of a console says it began with.
+std::string solverInUse(const std::vector<std::string>& more, const std::string& remembered) {
+    const Scratch scratch;
+    std::filesystem::create_directories(scratch.path("config/Hexapose"));
+    scratch.file("config/Hexapose/hexapose.conf", "[General]\nsolver=" + remembered + "\n");
+    ForeignController::Traits traits;
+    traits.bootState = 'E';
+    traits.hellosNeeded = 1;
+    ForeignController controller(scratch.path("port"), traits, {});
+    std::vector<std::string> words{HEXAPOSE_CONSOLE, "--log-dir", scratch.path("logs"), "--port",
+                                   scratch.path("port")};
+    words.insert(words.end(), more.begin(), more.end());
+    Process console(words, {},
+                    {{"QT_QPA_PLATFORM", "offscreen"}, {"XDG_CONFIG_HOME", scratch.path("config")}});
+    EXPECT_TRUE(controller.waitFor([&] { return controller.watchdogTrips() == 1; }));
+    console.signal(SIGTERM);
+    EXPECT_EQ(console.wait().status, 0);
+    for (const auto& file : std::filesystem::directory_iterator(scratch.path("logs"))) {
+        const std::string text = readText(file.path().string());
+        const std::size_t at = text.find("\nsolver = ");
+        if (file.path().extension() == ".toml" && at != std::string::npos)
+            return text.substr(at + 1, text.find('\n', at + 1) - at - 1);
+    }
+    return "no log";
+}
+
+TEST(Console, RemembersTheSolverThatWasChosen) {
+    EXPECT_EQ(solverInUse({}, "fsi"), "solver = 'fsi'");
+    EXPECT_EQ(solverInUse({"--method", "newton"}, "fsi"), "solver = 'newton'") << "for this once";
+    EXPECT_EQ(solverInUse({}, "guess"), "solver = 'mpr3-nr'") << "not a word of ours";
 }
 
 TEST(Console, BadOptionsAreRefused) {
