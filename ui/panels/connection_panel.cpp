@@ -16,6 +16,7 @@
 #include <QPushButton>
 
 #include <limits>
+#include <utility>
 
 namespace hexapose {
 
@@ -165,7 +166,16 @@ void ConnectionPanel::setSolverPending(bool pending) {
 /// In mid-move the loop keeps the solver it has.
 void ConnectionPanel::updateSolver() {
     const bool moving = m_state == RunState::Moving || m_state == RunState::Settling;
-    m_solver->setEnabled(!moving && !m_solverPending);
+    const bool free = !moving && !m_solverPending;
+    // Qt would hand the focus of a disabled box on to a button, and the next key might press it.
+    if (!free && window()->focusWidget() == m_solver) {
+        m_solver->clearFocus();
+        m_solverHadFocus = true;
+    }
+    m_solver->setEnabled(free);
+    if (free && std::exchange(m_solverHadFocus, false) && window()->focusWidget() == nullptr) {
+        m_solver->setFocus();
+    }
     const QString why = moving ? tr("The solver cannot be changed while the platform moves.")
                         : m_solverPending
                             ? tr("The solver is being made ready.")

@@ -59,6 +59,7 @@ private:
     bool m_available = false;
     bool m_open = false;
     bool m_solverPending = false;
+    bool m_solverHadFocus = false;
     RunState m_state = RunState::Disconnected;
     QLabel* m_portLabel;
     QComboBox* m_port;

@@ -95,11 +95,14 @@ TEST_F(ConnectionPanelTest, TheSolverIsChosenWhileNothingMoves) {
         EXPECT_TRUE(box->isEnabled());
         EXPECT_EQ(box->toolTip().indexOf(QStringLiteral("while the platform moves")), -1);
     }
+    box->setFocus();
     panel.setSolverPending(true);
     EXPECT_FALSE(box->isEnabled());
+    EXPECT_EQ(panel.focusWidget(), nullptr) << "and no button is the next key's";
     EXPECT_NE(box->toolTip().indexOf(QStringLiteral("made ready")), -1);
     panel.setSolverPending(false);
     EXPECT_TRUE(box->isEnabled());
+    EXPECT_EQ(panel.focusWidget(), box);
     panel.setSolver("newton-as-published");
     EXPECT_EQ(box->currentIndex(), -1);
     EXPECT_EQ(chosen.size(), 1);
