@@ -71,8 +71,10 @@ Console::Console(QApplication& application, const OperatorOptions& options, cons
         const std::string remembered = settings.value(kSolverKey).toString().toStdString();
         m_options.method = isSolverChoice(remembered) ? remembered : std::string(kSolverChoices.front());
     }
-    connect(&m_window->connectionPanel(), &ConnectionPanel::solverChosen, this,
-            [this](const QString& word) { makeSolver(word.toStdString()); });
+    // Queued: the box's list closes first, and gives the focus back to the box.
+    connect(
+        &m_window->connectionPanel(), &ConnectionPanel::solverChosen, this,
+        [this](const QString& word) { makeSolver(word.toStdString()); }, Qt::QueuedConnection);
 }
 
 Console::~Console() = default;
