@@ -128,6 +128,7 @@ void Console::openSession(const ReadySolver& solver) {
     setup.modelFingerprint = solver.modelFingerprint;
     setup.programVersion = HEXAPOSE_VERSION;
     setup.logDirectory = m_options.logDirectory;
+    setup.control.envelope = m_options.envelope;
     const auto makeDevice = [geometry = m_geometry](const ConnectionChoice& choice) {
         return choice.virtualPlatform ? makeVirtualDevice(geometry)
                                       : makeSerialDevice(choice.port.toStdString(), choice.baud);

@@ -4,6 +4,7 @@
 
 #include "core/geometry/input_error.h"
 #include "core/geometry/number_text.h"
+#include "core/geometry/units.h"
 #include "ui/common/language.h"
 #include "ui/common/solver_choices.h"
 
@@ -37,6 +38,15 @@ QString languageOf(const std::string& text) {
         throw InputError("--language " + text, "no such language; there are " + known);
     }
     return code;
+}
+
+/// Of the envelope: millimetres or degrees.
+double distanceOf(const std::string& option, const std::string& text) {
+    const auto distance = parseNumber(text);
+    if (!distance || !(*distance > 0.0)) {
+        throw InputError(option + " " + text, "not a number above zero");
+    }
+    return *distance;
 }
 
 std::string methodOf(const std::string& text) {
@@ -138,6 +148,10 @@ OperatorOptions parseOperatorOptions(const std::vector<std::string>& arguments) 
             options.platform = words.value();
         } else if (name == "--method") {
             options.method = methodOf(words.value());
+        } else if (name == "--envelope-mm") {
+            options.envelope.furthest.head<3>().setConstant(metresFromMm(distanceOf(name, words.value())));
+        } else if (name == "--envelope-deg") {
+            options.envelope.furthest.tail<3>().setConstant(radiansFromDeg(distanceOf(name, words.value())));
         } else if (name == "--log-dir") {
             options.logDirectory = words.value();
         } else if (name == "--language") {
@@ -174,6 +188,8 @@ std::string operatorHelp() {
            "  --method M        forward method for this once: mpr3-nr, mpr2-nr, newton, or fsi, which "
            "follows\n"
            "                    the way of the legs in small steps (the one chosen last, at first mpr3-nr)\n"
+           "  --envelope-mm E   no further from home along x, y, z, and\n"
+           "  --envelope-deg E  no further in alpha, beta, gamma: such moves are refused (no limit)\n"
            "  --log-dir DIR     where the logs go\n"
            "  --language CODE   en or zh_CN (the desktop's)\n"
            "  --theme light|dark\n"

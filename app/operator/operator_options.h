@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/control/limits.h"
 #include "ui/common/theme.h"
 #include "ui/session/session.h"
 
@@ -17,6 +18,7 @@ struct OperatorOptions {
     std::optional<ConnectionChoice> connection; ///< connect at once; empty: the operator does
     std::string platform = "laboratory";
     std::string method;                 ///< of kSolverChoices; empty: remembered, or the first of them
+    PoseEnvelope envelope;              ///< no further from home
     std::filesystem::path logDirectory; ///< empty: the usual one
     QString language;                   ///< empty: remembered, or the desktop's
     std::optional<ThemeKind> theme;

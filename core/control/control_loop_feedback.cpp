@@ -73,6 +73,8 @@ void ControlLoop::Impl::followController() {
         return; // nothing new, and a state from before a request says nothing of what came of it
     if (isDown(before) && !isDown(after))
         apply(MachineEvent::LeftStop);
+    if (before == ControllerState::Unreferenced && after != before)
+        referenceTaken = true; // whether or not its answer came through
     apply(reportOf(after));
 }
 
@@ -179,7 +181,8 @@ void ControlLoop::Impl::takeRefusal(const DeviceNotice& notice, Clock::time_poin
             return;
         lastSetRefusal = time;
         lastSetRefusalText = what;
-    } else if (notice.request == "HOME" && referenceTaken) {
+    } else if (notice.request == "HOME" &&
+               (referenceTaken || (move && move->phase() != Move::Phase::Referencing))) {
         // Asked again before a late answer came: it refers to the asking again.
     } else if (move && (notice.request == "HOME" || notice.request == "ENABLE")) {
         dropMotion();

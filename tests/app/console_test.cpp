@@ -227,6 +227,8 @@ TEST(Console, BadOptionsAreRefused) {
                       {"--virtual --baud 0", {"--baud", "0"}},
                       {"--virtual --baud fast", {"--baud", "fast"}},
                       {"--virtual --baud -1", {"--baud"}},
+                      {"--virtual --envelope-mm 0", {"--envelope-mm 0", "above zero"}},
+                      {"--virtual --envelope-deg wide", {"--envelope-deg wide", "number"}},
                       {"--language xx", {"--language", "xx"}},
                       {"--platform nowhere", {"nowhere"}},
                       {"--platform @missing.toml", {"@missing.toml"}},

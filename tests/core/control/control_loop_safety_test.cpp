@@ -216,6 +216,20 @@ TEST_F(ControlLoopSafety, AsksToReferenceAgainAndGivesUpSoonWhenNothingAnswers) 
     EXPECT_EQ(m_last.state, RunState::Unreferenced);
 }
 
+TEST_F(ControlLoopSafety, AReferencingWhoseAnswerWasLostIsNotAskedForAgainOnceItIsDone) {
+    cycles(2);
+    run();
+    until(RunState::Moving); // the state came, the answer never did
+    const std::size_t mark = m_device.received.size();
+    m_device.notices.push_back({DeviceNotice::Kind::NoAnswer, "HOME", {}});
+    cycles(2);
+    m_device.notices.push_back({DeviceNotice::Kind::Refused, "HOME", "STATE not allowed in state E"});
+    until(RunState::Enabled);
+    EXPECT_TRUE(requestsSince(mark).empty());
+    EXPECT_TRUE(saw(EventCode::Settled));
+    EXPECT_FALSE(saw(EventCode::PreparationFailed));
+}
+
 TEST_F(ControlLoopSafety, AReferencingThatWasTakenMayLast) {
     m_device.ignoresReference = true;
     cycles(2);
