@@ -111,6 +111,8 @@ struct Count {
 };
 
 /// Poses on home's side, each from a start nearby on the same side. `other`: usable, and not the pose.
+constexpr int kPoses = 4000;
+
 struct Sample {
     double mm, deg;
     Count bare, whole;
@@ -121,7 +123,7 @@ Sample take(const PlatformGeometry& machine, const PathFallback& whole, const Mp
     RandomPoses poses(metresFromMm(mm) * scale, radiansFromDeg(deg), 20230382);
     RandomPoses steps(metresFromMm(nearMm) * scale, radiansFromDeg(nearMm), 77);
     Sample sample{mm, deg, {}, {}};
-    for (int i = 0; i < samples(4000); ++i) {
+    for (int i = 0; i < samples(kPoses); ++i) {
         const Pose truth = poses.next();
         const Pose near = Pose::fromVector(truth.toVector() + steps.next().toVector());
         const Pose start = nearMm > 0.0 ? near : Pose{};
@@ -156,6 +158,8 @@ TEST(PathFallback, WidePosesAreConnectedToANearStartOrSaySo) {
                 followed += sample.whole.followed;
             }
     }
+    if (samples(kPoses) < kPoses) // so few of them may hold none
+        return;
     EXPECT_GT(others, 0) << "the regression leads astray here, or nothing was tried";
     EXPECT_GT(followed, 0);
 }
