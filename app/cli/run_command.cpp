@@ -45,6 +45,12 @@ void checkTargets(const PlatformGeometry& platform, const PoseEnvelope& envelope
         if (verdict.leg > 0)
             cause += " (" + formatFixed(mmFromMetres(verdict.value), 3) + " against " +
                      formatNumber(mmFromMetres(verdict.bound)) + " mm)";
+        else if (verdict.axis > 3)
+            cause += " (" + formatFixed(degFromRadians(verdict.value), 3) + " against " +
+                     formatNumber(degFromRadians(verdict.bound)) + " deg)";
+        else if (verdict.axis > 0)
+            cause += " (" + formatFixed(mmFromMetres(verdict.value), 3) + " against " +
+                     formatNumber(mmFromMetres(verdict.bound)) + " mm)";
         throw InputError(file, cause);
     }
 }
@@ -110,7 +116,10 @@ std::optional<SweepSettings> sweepOf(const Arguments& arguments) {
     const QStringList axes{QStringLiteral("x"),     QStringLiteral("y"),    QStringLiteral("z"),
                            QStringLiteral("alpha"), QStringLiteral("beta"), QStringLiteral("gamma")};
     SweepSettings sweep;
-    sweep.axis = words.size() == 5 ? static_cast<int>(axes.indexOf(words[0])) : -1;
+    if (words.size() != 5)
+        throw InputError("--sweep", "'" + text + "' has " + std::to_string(words.size()) +
+                                        " fields, expected AXIS,AMPLITUDE,HZ,HZ,SECONDS");
+    sweep.axis = static_cast<int>(axes.indexOf(words[0]));
     std::array<double, 4> numbers{};
     for (std::size_t i = 0; i < numbers.size() && sweep.axis >= 0; ++i)
         numbers[i] = parseNumber(words[static_cast<qsizetype>(i) + 1].toStdString()).value_or(std::nan(""));

@@ -14,8 +14,10 @@ namespace hexapose {
 
 namespace {
 
-constexpr double kSettleWindow = 2e-4;   ///< m
-constexpr double kSettleOfStroke = 2e-3; ///< for machines with tiny strokes
+constexpr double kSettleWindow = 2e-4;       ///< m
+constexpr double kSettleOfStroke = 2e-3;     ///< for machines with small strokes,
+constexpr double kSettleRounding = 1e-4;     ///< m, but no less than a length is commonly rounded to,
+constexpr double kSettleMostOfStroke = 0.02; ///< unless that is much of the stroke
 /// Largest distance of a leg from its set-point, of the machine's size: 24 mm for the laboratory platform,
 /// whose legs lag by 10 mm at most.
 constexpr double kFollowingOfSize = 0.08;
@@ -42,7 +44,9 @@ ControlOptions completed(ControlOptions options, const PlatformGeometry& geometr
     for (const Leg& leg : geometry.legs)
         stroke += (leg.maxLength - leg.minLength) / kLegCount;
     if (options.settleWindow.distance <= 0.0)
-        options.settleWindow.distance = std::min(kSettleWindow, kSettleOfStroke * stroke);
+        options.settleWindow.distance =
+            std::min(kSettleWindow, std::max(kSettleOfStroke * stroke,
+                                             std::min(kSettleRounding, kSettleMostOfStroke * stroke)));
     if (options.settleWindow.angle <= 0.0)
         options.settleWindow.angle = options.settleWindow.distance / geometry.jointRadius();
     if (options.followingLimit <= 0.0)
@@ -139,9 +143,9 @@ SetPoints ControlLoop::Impl::nextSetPoints(Clock::time_point time) {
     out.request = std::exchange(pendingRequest, DeviceRequest::None);
     const std::chrono::nanoseconds since = std::clamp<std::chrono::nanoseconds>(
         time - std::exchange(lastStep, time), std::chrono::nanoseconds(0), options.longestPathStep);
-    const bool on = machine.run == RunState::Enabled || moving();
-    if (out.request == DeviceRequest::Stop || !on || !tookOver || !takesCommands() ||
-        feedback.state != ControllerState::Enabled)
+    const bool on =
+        (machine.run == RunState::Enabled || moving()) && feedback.state == ControllerState::Enabled;
+    if (out.request == DeviceRequest::Stop || !on || !tookOver || !takesCommands())
         return out;
     if (law) {
         if (jog && time - jogHeldAt > options.jogHold)

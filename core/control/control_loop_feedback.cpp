@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "core/control/control_loop_impl.h"
+#include "core/kinematics/inverse_kinematics.h"
 
 #include <utility>
 
@@ -224,6 +225,11 @@ void ControlLoop::Impl::watch(Clock::time_point time) {
     if (law && feedback.lengths)
         if (std::optional<Event> cause = nearLimit())
             return stop(std::move(*cause));
+    if (law && feedback.lengths)
+        if (const std::optional<PoseReference> reference = law->reference())
+            if (std::optional<Event> cause =
+                    follow.judgePath(legLengths(geometry, reference->pose), *feedback.lengths, law->stalls()))
+                return stop(std::move(*cause));
     if (commanded && measuredPose)
         if (std::optional<Event> cause = follow.judge(feedback, *commanded, time))
             stop(std::move(*cause));

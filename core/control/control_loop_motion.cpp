@@ -64,7 +64,8 @@ ControlLoop::Impl::Planned ControlLoop::Impl::plan(const MotionWish& what, bool 
         motion = std::make_unique<StraightMotion>(geometry, *measuredPose, run->target, options.bounds);
     else
         motion = std::make_unique<SineSweep>(*measuredPose, std::get<SweepCommand>(what).settings);
-    planned.verdict = checkMotion(geometry, bounds, *motion);
+    const LegLengths here = legLengths(geometry, motion->at(0.0).pose);
+    planned.verdict = checkMotion(geometry, limitsFrom(bounds, here, options.settleWindow.distance), *motion);
     if (planned.verdict.ok() && withLaw)
         planned.law = std::make_unique<WorkspaceLaw>(workspace, std::move(motion),
                                                      run ? Following::Path : Following::Time, from);

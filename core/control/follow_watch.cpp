@@ -26,6 +26,19 @@ void FollowWatch::sent(Clock::time_point now) {
     ++m_unechoed;
 }
 
+std::optional<Event> FollowWatch::judgePath(const LegLengths& reference, const LegLengths& measured,
+                                            bool stalls) const {
+    int leg = 0;
+    const double gap = (reference - measured).cwiseAbs().maxCoeff(&leg);
+    if (gap <= m_largestGap && !stalls)
+        return std::nullopt;
+    return Event{EventCode::StoppedOnFollowingError, 0.0,
+                 "leg " + std::to_string(leg + 1) + " off the path by " + formatFixed(mmFromMetres(gap), 2) +
+                     " mm, " +
+                     (stalls ? "and the path does not go on"
+                             : "limit " + formatFixed(mmFromMetres(m_largestGap), 1) + " mm")};
+}
+
 std::optional<Event> FollowWatch::judge(const DeviceFeedback& feedback, const LegLengths& commanded,
                                         Clock::time_point now) {
     if (!feedback.lengths)

@@ -25,6 +25,11 @@ public:
     void reset() { m_unechoedSince.reset(); }
     /// A set-point goes out.
     void sent(Clock::time_point now);
+    /// In a motion that is led by the pose: the lengths that belong to where the platform should be. A leg
+    /// that is held fast is not seen by its set-point there, which keeps near to it while the others are led
+    /// astray.
+    std::optional<Event> judgePath(const LegLengths& reference, const LegLengths& measured,
+                                   bool stalls) const;
     /// After an exchange with a fresh measurement: StoppedOnFollowingError or StoppedOnNoEcho, or nothing.
     std::optional<Event> judge(const DeviceFeedback& feedback, const LegLengths& commanded,
                                Clock::time_point now);

@@ -4,6 +4,7 @@
 #include "core/control/jog_law.h"
 
 #include "core/control/workspace_law.h"
+#include "core/kinematics/inverse_kinematics.h"
 #include "core/kinematics/jacobian.h"
 
 #include <algorithm>
@@ -16,6 +17,9 @@ namespace {
 
 constexpr int kLooksAhead = 4;   ///< poses on the way to rest that are judged
 constexpr double kReserve = 1.2; ///< of that way
+/// A jog may begin with a leg so far beyond the end of its stroke, of the machine's size: measured, not led
+/// there.
+constexpr double kBeyondOfSize = 1e-3;
 constexpr double kStands = 1e-3; ///< of full pace: less is none
 
 } // namespace
@@ -53,10 +57,12 @@ double JogLaw::wantedPace(const Cycle& cycle) {
         std::max(m_pace, 0.0) + std::max(m_acceleration, 0.0) * most.acceleration / most.jerk;
     const double way = kReserve * (0.5 * faster * faster / most.acceleration +
                                    faster * (most.acceleration / most.jerk + 2.0 * cycle.seconds));
+    const LegLengths here = legLengths(m_geometry, m_reference);
+    const MotionLimits bounds = limitsFrom(cycle.limits, here, kBeyondOfSize * m_geometry.size());
     for (int k = 1; k <= kLooksAhead; ++k) {
         const Pose ahead =
             displaced(m_reference, (way * k / kLooksAhead + kStands * full * cycle.seconds) * unit);
-        const Verdict verdict = checkPose(m_geometry, cycle.limits, ahead);
+        const Verdict verdict = checkPose(m_geometry, bounds, ahead);
         if (verdict.ok())
             continue;
         m_blocked = true;

@@ -111,6 +111,16 @@ std::optional<Verdict> outsideEnvelope(const PoseEnvelope& envelope, const Pose&
     return std::nullopt;
 }
 
+MotionLimits limitsFrom(MotionLimits limits, const LegLengths& lengths, double within) {
+    for (int i = 0; i < kLegCount; ++i) {
+        if (lengths[i] - limits.maxLength[i] <= within)
+            limits.maxLength[i] = std::max(limits.maxLength[i], lengths[i]);
+        if (limits.minLength[i] - lengths[i] <= within)
+            limits.minLength[i] = std::min(limits.minLength[i], lengths[i]);
+    }
+    return limits;
+}
+
 Verdict checkPose(const PlatformGeometry& geometry, const MotionLimits& limits, const Pose& pose) {
     if (!pose.isFinite())
         return verdictOf(Verdict::Reason::NotFinite, 0.0, 0.0);

@@ -70,6 +70,10 @@ std::string toWords(const Verdict& verdict);
 /// named.
 Verdict checkLegs(const MotionLimits& limits, const LegLengths& lengths);
 
+/// The limits of a motion that begins with these lengths: a leg that is measured beyond an end of its stroke,
+/// by no more than `within` (m), may be there, and goes no further.
+MotionLimits limitsFrom(MotionLimits limits, const LegLengths& lengths, double within);
+
 /// The pose alone: finite, strokes, singularity margin. Of several legs out of stroke the one furthest out is
 /// named.
 Verdict checkPose(const PlatformGeometry& geometry, const MotionLimits& limits, const Pose& pose);

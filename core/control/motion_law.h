@@ -39,6 +39,8 @@ public:
     /// Where the platform should be now; nothing where only the legs are led.
     virtual std::optional<PoseReference> reference() const = 0;
     virtual double duration() const = 0; ///< planned, at full speed, s
+    /// It should go on, and has hardly done so for a second.
+    virtual bool stalls() const { return false; }
     /// Something to tell since the last call.
     virtual std::optional<Event> takeEvent() { return std::nullopt; }
 };

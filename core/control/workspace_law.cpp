@@ -7,6 +7,13 @@
 
 namespace hexapose {
 
+namespace {
+
+constexpr double kHardly = 0.05;     ///< of the operator's speed: a path that is slower does not go on
+constexpr double kStallsAfter = 1.0; ///< s
+
+} // namespace
+
 WorkspaceLaw::WorkspaceLaw(WorkspaceController& controller, std::unique_ptr<const PoseMotion> motion,
                            WorkspaceController::Following following, const LegLengths& from)
     : m_controller(controller), m_motion(std::move(motion)), m_following(following), m_setPoint(from) {
@@ -21,9 +28,15 @@ LegLengths WorkspaceLaw::step(const Cycle& cycle) {
     const WorkspaceController::Step step = m_controller.step(
         {*cycle.lengths, *cycle.pose, m_waited}, m_motion->at(m_pathTime), m_following, speed, cycle.limits);
     m_pathTime += step.pathRate * m_waited;
+    const bool goesOn = pathIsOver() || speed <= 0.0 || step.pathRate > kHardly * speed;
+    m_stalled = goesOn ? 0.0 : m_stalled + m_waited;
     m_waited = 0.0;
     m_setPoint = step.setPoint;
     return m_setPoint;
+}
+
+bool WorkspaceLaw::stalls() const {
+    return m_stalled >= kStallsAfter;
 }
 
 bool WorkspaceLaw::isThere(const LegLengths&, const Pose& pose, const SettleWindow& window) const {

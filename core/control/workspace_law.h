@@ -23,6 +23,7 @@ public:
     bool isThere(const LegLengths& lengths, const Pose& pose, const SettleWindow& window) const override;
     std::optional<PoseReference> reference() const override { return m_motion->at(m_pathTime); }
     double duration() const override { return m_motion->duration(); }
+    bool stalls() const override;
 
 private:
     WorkspaceController& m_controller;
@@ -32,6 +33,7 @@ private:
     SpeedRamp m_ramp;
     double m_pathTime = 0.0; ///< s
     double m_waited = 0.0;   ///< s, since the last measurement
+    double m_stalled = 0.0;  ///< s, for which the path has hardly gone on
 };
 
 /// Whether two poses are within the window.

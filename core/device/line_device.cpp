@@ -57,7 +57,10 @@ void LineDevice::Impl::sendStop(bool asked, Time time) {
 void LineDevice::Impl::sendHandshake(Time time) {
     const bool unknown = !identified && feedback.link != LinkState::ListenOnly;
     const bool due = !lastHello || time - *lastHello >= options.helloEvery;
-    if ((unknown || isSilent(time)) && due) {
+    // Where measurements are rare the controller's watchdog, of 250 ms, would be faster than the state that
+    // we wait for.
+    const bool keepsAlive = awaitsEnabled && (!lastHello || time - *lastHello >= options.aliveEvery);
+    if (((unknown || isSilent(time)) && due) || keepsAlive) {
         write(line::Hello{});
         lastHello = time;
     }

@@ -12,9 +12,11 @@
 namespace hexapose {
 
 struct LineDeviceOptions {
-    std::chrono::milliseconds desiredPeriod{10};  ///< of the feedback; asked for once the controller is known
-    std::chrono::milliseconds longestWait{15};    ///< of one exchange for a measurement
-    std::chrono::milliseconds helloEvery{400};    ///< until the controller says who it is
+    std::chrono::milliseconds desiredPeriod{10}; ///< of the feedback; asked for once the controller is known
+    std::chrono::milliseconds longestWait{15};   ///< of one exchange for a measurement
+    std::chrono::milliseconds helloEvery{400};   ///< until the controller says who it is
+    std::chrono::milliseconds aliveEvery{
+        100}; ///< asked again, while enabled drives may not have set-points yet
     std::chrono::milliseconds answerWithin{1000}; ///< then the answer is missed
     std::chrono::milliseconds stopEvery{100};     ///< until the stop, or the disabling, is confirmed
     std::chrono::milliseconds stopGiveUpAfter{5000};

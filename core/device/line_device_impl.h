@@ -7,6 +7,7 @@
 #include "core/device/line_device.h"
 #include "core/device/line_requests.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdint>
@@ -46,7 +47,9 @@ struct LineDevice::Impl {
     void complainOnce(const std::string& request, const std::string& text);
     void note(Kind kind, std::string request, std::string text);
 
-    bool isSilent(Time time) const { return time - lastHeard > options.silentAfter; }
+    bool isSilent(Time time) const {
+        return time - lastHeard > std::max(options.silentAfter, 3 * feedback.period);
+    }
 
     std::unique_ptr<ByteChannel> channel; ///< none once the port is lost
     LineDeviceOptions options;
@@ -60,6 +63,8 @@ struct LineDevice::Impl {
     Time lastHeard; ///< last good frame or line
     Time lastByte;
     bool identified = false;
+    bool awaitsEnabled =
+        false; ///< ENABLE was taken, and no measurement has said so yet: set-points wait for that
     bool periodRefused = false;
     int periodTries = 0; ///< left
     std::uint16_t nextSetNumber = 0;

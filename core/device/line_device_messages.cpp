@@ -71,6 +71,8 @@ void LineDevice::Impl::take(const line::Ok& ok) {
         stop.confirm();
     if (ok.request == "DISABLE")
         disable.confirm();
+    if (ok.request == "ENABLE")
+        awaitsEnabled = true;
     if (ok.request == "HOME")
         note(Kind::Acknowledged, ok.request, {});
     if (pending.answered(ok.request) && ok.request == "PERIOD") {
@@ -106,6 +108,7 @@ void LineDevice::Impl::take(const line::Len& len, Time time) {
     case line::FrameOrder::Verdict::Next:
         break;
     }
+    awaitsEnabled = false;
     feedback.lengths = len.lengths;
     feedback.receivedAt = time;
     feedback.controllerTime = len.time;

@@ -57,8 +57,12 @@ DeviceFeedback ScriptedDevice::exchange(const SetPoints& setPoints) {
     const bool taken = setPoints.lengths && state == ControllerState::Enabled && !deaf;
     if (taken)
         m_accepted = m_setNumber;
-    if (taken && !stuck)
+    if (taken && !stuck) {
+        const LegLengths before = lengths;
         lengths = *setPoints.lengths + leftToSettle * (lengths - *setPoints.lengths);
+        if (stuckLeg)
+            lengths[*stuckLeg] = before[*stuckLeg];
+    }
     DeviceFeedback feedback;
     feedback.link = link;
     feedback.protectedLink = link == LinkState::Connected;

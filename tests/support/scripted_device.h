@@ -34,6 +34,7 @@ public:
     bool ignoresEnable = false;              ///< stays disabled
     bool ignoresDisable = false;             ///< stays enabled
     bool stuck = false;                      ///< legs do not move
+    std::optional<int> stuckLeg;             ///< 0..5: this one does not
     bool deaf = false;                       ///< takes no set-point and echoes none
     bool ignoresStop = false;                ///< stays enabled
     bool stopsOnlyWhenEnabled = false;       ///< as the protocol's diagram of states has it

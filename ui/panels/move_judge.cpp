@@ -3,6 +3,7 @@
 #include "ui/panels/move_judge.h"
 
 #include "core/control/straight_motion.h"
+#include "core/kinematics/inverse_kinematics.h"
 
 namespace hexapose {
 
@@ -28,6 +29,10 @@ void MoveJudge::applyControl() {
     m_limits.legAcceleration = m_control.bounds.legAcceleration;
 }
 
+MotionLimits MoveJudge::limitsAt(const Pose& pose) const {
+    return limitsFrom(m_limits, legLengths(m_geometry, pose), m_control.settleWindow.distance);
+}
+
 Verdict MoveJudge::pose(const Pose& pose) const {
     return checkPose(m_geometry, m_limits, pose);
 }
@@ -41,9 +46,9 @@ Verdict MoveJudge::move(const Pose& from, const Pose& to, MotionMode mode) const
     if (verdict.ok() && !from.isFinite()) {
         verdict.reason = Verdict::Reason::NotFinite;
     }
-    return verdict.ok()
-               ? checkMotion(m_geometry, m_limits, StraightMotion(m_geometry, from, to, m_control.bounds))
-               : verdict;
+    return verdict.ok() ? checkMotion(m_geometry, limitsAt(from),
+                                      StraightMotion(m_geometry, from, to, m_control.bounds))
+                        : verdict;
 }
 
 } // namespace hexapose

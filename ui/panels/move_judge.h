@@ -20,6 +20,8 @@ public:
 
     const PlatformGeometry& geometry() const { return m_geometry; }
     const MotionLimits& limits() const { return m_limits; }
+    /// Of a motion that begins at this pose.
+    MotionLimits limitsAt(const Pose& pose) const;
     Verdict pose(const Pose& pose) const;
     /// The whole way in a mode.
     Verdict move(const Pose& from, const Pose& to, MotionMode mode) const;

@@ -235,8 +235,9 @@ void TargetPanel::judge() {
 
 void TargetPanel::showRanges() {
     for (int i = 0; i < 6; ++i) {
-        const auto range =
-            m_measured ? axisRange(m_judge.geometry(), m_judge.limits(), *m_measured, i) : std::nullopt;
+        const auto range = m_measured
+                               ? axisRange(m_judge.geometry(), m_judge.limitsAt(*m_measured), *m_measured, i)
+                               : std::nullopt;
         m_ranges[static_cast<std::size_t>(i)]->setText(range ? rangeText(*range, i) : ReadOut::dash());
     }
 }

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <stdexcept>
 
 namespace hexapose::experiment {
 
@@ -75,9 +76,8 @@ private:
                 } else if (event.code != EventCode::Enabled && event.code != EventCode::Referencing &&
                            event.code != EventCode::Referenced && event.code != EventCode::Connected &&
                            event.code != EventCode::DataFresh && event.code != EventCode::NotSettled) {
-                    throw InputError("move " + std::to_string(index + 1) + ", " +
-                                         std::string(toWord(m_mode)) + " mode",
-                                     formatEvent(event));
+                    throw std::runtime_error("move " + std::to_string(index + 1) + ", " +
+                                             std::string(toWord(m_mode)) + " mode: " + formatEvent(event));
                 }
             if (begun)
                 observe(now - *begun, index);

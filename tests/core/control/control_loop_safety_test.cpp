@@ -51,6 +51,30 @@ TEST_F(ControlLoopSafety, ARefusedSetPointIsExplainedByTheStateThatFollows) {
     EXPECT_EQ(detailOf(EventCode::StoppedOnRefusal), "SET STATE drives are off") << "it stays enabled";
 }
 
+TEST_F(ControlLoopSafety, ALegThatIsHeldFastStopsAMotionLedByThePose) {
+    constexpr double kFurthest = 0.012; // m, that the other legs have led the platform beside its way by then
+    const Pose there = target();
+    const Pose back = Pose::fromVector(-0.5 * there.toVector());
+    for (int leg = 0; leg < kLegCount; ++leg) {
+        SCOPED_TRACE(leg);
+        m_events.clear();
+        cycles(2);
+        m_loop->post(RunCommand{leg % 2 == 0 ? there : back, MotionMode::Workspace});
+        until(RunState::Moving);
+        cycles(20);
+        m_device.stuckLeg = leg;
+        until(RunState::Stopped, 300);
+        EXPECT_NE(detailOf(EventCode::StoppedOnFollowingError).find("leg"), std::string::npos);
+        EXPECT_NE(detailOf(EventCode::StoppedOnFollowingError).find("path"), std::string::npos);
+        ASSERT_TRUE(m_last.measuredPose);
+        EXPECT_LT(m_last.measuredPose->offset.norm(), there.offset.norm() + kFurthest);
+        m_device.stuckLeg.reset();
+        cycles(2);
+        m_loop->post(ClearCommand{});
+        cycles(3);
+    }
+}
+
 TEST_F(ControlLoopSafety, AStopHurriesTheExchangeItIsPostedDuring) {
     startMoving();
     const auto hurries = [this] { return m_device.received.back().hurry->load(); };

@@ -62,6 +62,19 @@ TEST_F(LimitsTest, AgreesWithTheStrokesOnRandomPoses) {
     EXPECT_LT(accepted, 1800);
 }
 
+TEST_F(LimitsTest, AMotionMayBeginAHairBeyondAStrokeAndLeave) {
+    constexpr double kWithin = 2e-4, kBeyond = 5e-5;
+    LegLengths lengths = m_limits.maxLength;
+    lengths[2] += kBeyond;
+    lengths[3] += 2 * kWithin;
+    lengths[4] = m_limits.minLength[4] - kBeyond;
+    const MotionLimits from = limitsFrom(m_limits, lengths, kWithin);
+    EXPECT_EQ(from.maxLength[1], m_limits.maxLength[1]);
+    EXPECT_EQ(from.maxLength[2], lengths[2]) << "and no further";
+    EXPECT_EQ(from.maxLength[3], m_limits.maxLength[3]) << "too far out for a measurement's rounding";
+    EXPECT_EQ(from.minLength[4], lengths[4]);
+}
+
 TEST_F(LimitsTest, RefusesNumbersThatAreNot) {
     for (int k = 0; k < 6; ++k) {
         PoseVector v = PoseVector::Zero();

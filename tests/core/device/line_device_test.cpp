@@ -200,6 +200,22 @@ TEST(LineDevice, ASilentControllerGetsNoSetPointsButIsAskedAgain) {
     EXPECT_EQ(count(host.script.takeSent(), "SET"), 7);
 }
 
+TEST(LineDevice, KeepsTheControllersWatchdogQuietUntilTheStateComesThatSetPointsWaitFor) {
+    Host host;
+    host.connect();
+    host.device.exchange(request(DeviceRequest::Enable));
+    host.script.say("OK,ENABLE");
+    host.pass(30ms);
+    host.script.takeSent();
+    host.pass(600ms);
+    EXPECT_GE(count(host.script.takeSent(), "HELLO"), 5);
+    host.script.len(1, 10000, 'E');
+    host.pass(300ms, kSet);
+    const Sent sent = host.script.takeSent();
+    EXPECT_LE(count(sent, "HELLO"), 1);
+    EXPECT_GT(count(sent, "SET"), 10);
+}
+
 TEST(LineDevice, AStopThatWaitsEndsTheWaitForAMeasurement) {
     Host host;
     host.connect();
