@@ -42,13 +42,10 @@ void checkTargets(const PlatformGeometry& platform, const PoseEnvelope& envelope
         if (verdict.ok())
             continue;
         std::string cause = "attitude " + std::to_string(i + 1) + ": " + toWords(verdict);
-        if (verdict.leg > 0)
-            cause += " (" + formatFixed(mmFromMetres(verdict.value), 3) + " against " +
-                     formatNumber(mmFromMetres(verdict.bound)) + " mm)";
-        else if (verdict.axis > 3)
+        if (verdict.axis > 3)
             cause += " (" + formatFixed(degFromRadians(verdict.value), 3) + " against " +
                      formatNumber(degFromRadians(verdict.bound)) + " deg)";
-        else if (verdict.axis > 0)
+        else if (verdict.leg > 0 || verdict.axis > 0)
             cause += " (" + formatFixed(mmFromMetres(verdict.value), 3) + " against " +
                      formatNumber(mmFromMetres(verdict.bound)) + " mm)";
         throw InputError(file, cause);
