@@ -143,9 +143,9 @@ SetPoints ControlLoop::Impl::nextSetPoints(Clock::time_point time) {
     out.request = std::exchange(pendingRequest, DeviceRequest::None);
     const std::chrono::nanoseconds since = std::clamp<std::chrono::nanoseconds>(
         time - std::exchange(lastStep, time), std::chrono::nanoseconds(0), options.longestPathStep);
-    const bool on =
-        (machine.run == RunState::Enabled || moving()) && feedback.state == ControllerState::Enabled;
-    if (out.request == DeviceRequest::Stop || !on || !tookOver || !takesCommands())
+    const bool on = machine.run == RunState::Enabled || moving();
+    if (out.request == DeviceRequest::Stop || !on || !tookOver || !takesCommands() ||
+        feedback.state != ControllerState::Enabled)
         return out;
     if (law) {
         if (jog && time - jogHeldAt > options.jogHold)

@@ -63,8 +63,7 @@ struct LineDevice::Impl {
     Time lastHeard; ///< last good frame or line
     Time lastByte;
     bool identified = false;
-    bool awaitsEnabled =
-        false; ///< ENABLE was taken, and no measurement has said so yet: set-points wait for that
+    bool awaitsEnabled = false; ///< ENABLE was taken; set-points wait for the measurement that says so
     bool periodRefused = false;
     int periodTries = 0; ///< left
     std::uint16_t nextSetNumber = 0;
