@@ -74,6 +74,29 @@ ChosenSolver finiteStepSolver(const Arguments& arguments, const PlatformGeometry
     return {std::make_unique<FiniteStepSolver>(platform, options), {}};
 }
 
+ChosenSolver choose(const Arguments& arguments, const PlatformGeometry& platform, bool modelPossible) {
+    const std::string word = arguments.text("method", "mpr3-nr");
+    if (word == kFiniteSteps)
+        return finiteStepSolver(arguments, platform);
+    const ForwardMethod& method = chooseMethod(word);
+    for (const char* option : {"steps", "form"})
+        refuseOption(arguments, option, "method " + word + " takes no steps");
+    NewtonOptions options;
+    options.tolerance = metresFromMm(arguments.positive("tolerance-mm", 0.0));
+    options.maxIterations =
+        static_cast<int>(arguments.integer("max-iterations", options.maxIterations, 1, 1000000));
+    if (method.modelDegree == 0) {
+        refuseOption(arguments, "model", "method " + word + " uses no model");
+        return {makeForwardSolver(method, platform, nullptr, options), {}};
+    }
+    if (!modelPossible && !arguments.has("model"))
+        return {std::make_unique<NewtonRaphson>(platform, options), {}};
+    const PolynomialModel model = arguments.has("model")
+                                      ? givenModel(arguments.requiredText("model"), platform, method)
+                                      : ownModel(platform, method);
+    return withModel(method, platform, model, options, arguments.has("max-iterations"));
+}
+
 } // namespace
 
 StepForm stepForm(const Arguments& arguments, StepForm fallback) {
@@ -95,24 +118,11 @@ std::vector<OptionSpec> withSolverOptions(std::vector<OptionSpec> own) {
 }
 
 ChosenSolver chooseSolver(const Arguments& arguments, const PlatformGeometry& platform) {
-    const std::string word = arguments.text("method", "mpr3-nr");
-    if (word == kFiniteSteps)
-        return finiteStepSolver(arguments, platform);
-    const ForwardMethod& method = chooseMethod(word);
-    for (const char* option : {"steps", "form"})
-        refuseOption(arguments, option, "method " + word + " takes no steps");
-    NewtonOptions options;
-    options.tolerance = metresFromMm(arguments.positive("tolerance-mm", 0.0));
-    options.maxIterations =
-        static_cast<int>(arguments.integer("max-iterations", options.maxIterations, 1, 1000000));
-    if (method.modelDegree == 0) {
-        refuseOption(arguments, "model", "method " + word + " uses no model");
-        return {makeForwardSolver(method, platform, nullptr, options), {}};
-    }
-    const PolynomialModel model = arguments.has("model")
-                                      ? givenModel(arguments.requiredText("model"), platform, method)
-                                      : ownModel(platform, method);
-    return withModel(method, platform, model, options, arguments.has("max-iterations"));
+    return choose(arguments, platform, true);
+}
+
+ChosenSolver chooseSolverOfRows(const Arguments& arguments, const PlatformGeometry& platform) {
+    return choose(arguments, platform, homeDeterminant(platform) != 0.0);
 }
 
 ChosenSolver makeDefaultSolver(const ForwardMethod& method, const PlatformGeometry& platform) {

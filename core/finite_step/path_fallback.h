@@ -27,7 +27,7 @@ struct PathFallbackOptions {
 /// - OtherBranch: a pose of these lengths, by no known way joined to home or `start`;
 /// - Singular: a pose of these lengths that they do not tell from its neighbours;
 /// - IterationLimit.
-/// NoSolution is sure: nothing was found from anywhere, and a path would end before a pose that is not there.
+/// Not NoSolution: nothing was found from anywhere, and a path would end before a pose that is not there.
 ///
 /// A pose from the path is Converged: the path was gone to its end, by the stop rule (stop_rule.h) with q > 0
 /// all along, and the pose has these lengths to the tolerance. Where the path stops, or `start` is on the

@@ -15,7 +15,7 @@ enum class SolveStatus {
     Converged,      ///< the pose of these lengths, to the tolerance, on home's side of the singular poses
     IterationLimit, ///< residual still above the tolerance after the allowed iterations
     Singular,       ///< the Jacobian cannot be inverted here
-    NoSolution,     ///< no pose has these lengths
+    NoSolution,     ///< no pose of these lengths was found, from anywhere
     InvalidInput,   ///< a length is NaN, infinite, zero or negative
     OutsideModel,   ///< outside what the regression was trained on (MPR-NR: solved by Newton from the start
                     ///< instead)

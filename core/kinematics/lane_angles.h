@@ -19,33 +19,6 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using One = hn::CappedTag<double, 1>;
-using Two = hn::CappedTag<double, 2>;
-
-// Two numbers in one vector, where vectors hold more than one.
-constexpr bool kHasPairs = hn::MaxLanes(Two()) == 2;
-#if HWY_TARGET == HWY_SCALAR
-HWY_INLINE hn::Vec<Two> pairOf(hn::Vec<One> a, hn::Vec<One>) {
-    return a;
-}
-HWY_INLINE hn::Vec<One> secondOf(hn::Vec<Two> both) {
-    return both;
-}
-#else
-HWY_INLINE hn::Vec<Two> pairOf(hn::Vec<One> a, hn::Vec<One> b) {
-    return hn::InterleaveLower(Two(), hn::Set(Two(), hn::GetLane(a)), hn::Set(Two(), hn::GetLane(b)));
-}
-HWY_INLINE hn::Vec<One> secondOf(hn::Vec<Two> both) {
-    return hn::UpperHalf(One(), both);
-}
-#endif
-HWY_INLINE hn::Vec<Two> bothOf(hn::Vec<One> a) {
-    return hn::Set(Two(), hn::GetLane(a));
-}
-HWY_INLINE hn::Vec<One> firstOf(hn::Vec<Two> both) {
-    return hn::LowerHalf(One(), both);
-}
-
 /// With an eighth of a turn taken off where that leaves less, so that a short polynomial does; its
 /// numbers interpolate atan(z)/z at the Chebyshev points of 0 <= z^2 <= 0.1716, to 3e-18.
 template <class D, class V = hn::Vec<D>>

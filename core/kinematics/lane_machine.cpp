@@ -51,6 +51,11 @@ std::array<int, kLegCount> eliminationOrder(const std::array<Eigen::Vector3d, kL
     return best;
 }
 
+void repeatLast(LaneMachine::Triples& row) {
+    for (const std::size_t last : {placeInMemory(2), placeInMemory(5)})
+        row[last + 1] = row[last];
+}
+
 /// +1 for an even permutation, -1 for an odd one.
 double parity(const std::array<int, kLegCount>& order) {
     double sign = 1.0;
@@ -86,10 +91,14 @@ LaneMachine LegEquations::laneMachine(double homeDeterminant) const {
             machine.base[k][placeInMemory(place)] = base[k];
             machine.joint[k][placeInMemory(place)] = joint[k];
         }
-        machine.homeLength[place] = at.length[leg];
+        machine.homeLength[placeInMemory(place)] = at.length[leg];
         for (std::size_t k = 0; k < kLegCount; ++k)
-            machine.homeInverse[k][place] = inverse(static_cast<Eigen::Index>(k), leg);
+            machine.homeInverse[place][placeInMemory(k)] = inverse(static_cast<Eigen::Index>(k), leg);
     }
+    for (auto* rows : {&machine.base, &machine.joint})
+        std::ranges::for_each(*rows, repeatLast);
+    std::ranges::for_each(machine.homeInverse, repeatLast);
+    repeatLast(machine.homeLength);
     for (int k = 0; k < 3; ++k) {
         machine.baseCentroid[static_cast<std::size_t>(k)] = centre[k];
         machine.homeOrigin[static_cast<std::size_t>(k)] = m_home[k] - centre[k];

@@ -8,8 +8,10 @@
 #define HEXAPOSE_LANE_STEPS
 #endif
 
+#include "core/kinematics/lane_angles.h"
 #include "core/kinematics/newton_lanes.h"
 
+#include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>
 
 #include <utility>
@@ -69,9 +71,14 @@ HWY_INLINE LegRow<V> evaluateLeg(D tag, const V* base, const V* joint, const V* 
 /// A Newton step and what it needs, of one pose in each lane.
 template <class D>
 struct LaneSteps {
+    using Tag = D;
     using V = hn::Vec<D>;
     using M = hn::Mask<D>;
+    static constexpr bool kOnePose = hn::MaxLanes(D()) == 1;
 
+    struct Lengths {
+        V l[kLegCount]; ///< in the order of elimination
+    };
     struct Place {
         V c[3], q[4]; ///< centroid, from that of the base; quaternion w x y z of any length
     };
@@ -90,7 +97,11 @@ struct LaneSteps {
     };
     struct Target {
         V l2[kLegCount], inverse2[kLegCount]; ///< squared lengths and their reciprocals
-        V inverseProduct;
+        V product;                            ///< of the lengths
+    };
+    struct Found {
+        V pose[6]; ///< m and rad
+        V cosBeta2;
     };
 
     static HWY_INLINE V set(double value) { return hn::Set(D(), value); }
@@ -100,7 +111,22 @@ struct LaneSteps {
     /// One component of a cross product.
     static HWY_INLINE V minor(V a, V b, V c, V d) { return hn::NegMulAdd(c, d, hn::Mul(a, b)); }
 
-    static HWY_INLINE Target target(const V* l) {
+    /// The same in all lanes.
+    static HWY_INLINE Lengths lengthsOf(const LaneMachine& machine, const LegLengths& lengths) {
+        Lengths out;
+        for (std::size_t i = 0; i < kLegCount; ++i)
+            out.l[i] = set(lengths[machine.order[i]] * (1.0 / machine.size));
+        return out;
+    }
+    static HWY_INLINE M arePositive(const Lengths& lengths) {
+        M positive = hn::Gt(lengths.l[0], hn::Zero(D()));
+        for (int i = 1; i < kLegCount; ++i)
+            positive = hn::And(positive, hn::Gt(lengths.l[i], hn::Zero(D())));
+        return positive;
+    }
+
+    static HWY_INLINE Target target(const Lengths& lengths) {
+        const V* l = lengths.l;
         Target out;
         // One division for six reciprocals.
         V left[kLegCount], right[kLegCount];
@@ -110,9 +136,10 @@ struct LaneSteps {
             left[i] = hn::Mul(left[i - 1], l[i]);
             right[kLegCount - 1 - i] = hn::Mul(right[kLegCount - i], l[kLegCount - 1 - i]);
         }
-        out.inverseProduct = hn::Div(set(1.0), left[kLegCount - 1]);
+        out.product = left[kLegCount - 1];
+        const V inverseProduct = hn::Div(set(1.0), out.product);
         for (int i = 0; i < kLegCount; ++i) {
-            V inverse = out.inverseProduct;
+            V inverse = inverseProduct;
             if (i > 0)
                 inverse = hn::Mul(inverse, left[i - 1]);
             if (i + 1 < kLegCount)
@@ -227,20 +254,26 @@ struct LaneSteps {
                 rest[i][j] = less(hn::Mul(det1, rows.m[j][3 + i]), mixed[0][j], mixed[1][j], mixed[2][j]);
         }
         const V det2 = adjugate(rest, adjugate2);
-        // The rotation does not wait for the reciprocal.
-        const V inverse = hn::Div(set(1.0), hn::Mul(det1, det2)), scale = hn::Mul(inverse, det1);
-        Step step;
-        step.turn[0] = hn::Add(det2, det2);
         V w[3];
-        for (int k = 0; k < 3; ++k) {
-            w[k] = step.turn[1 + k] =
-                dot3(adjugate2[k][0], right[0], adjugate2[k][1], right[1], adjugate2[k][2], right[2]);
-            step.w[k] = hn::Mul(scale, w[k]);
-        }
+        for (int k = 0; k < 3; ++k)
+            w[k] = dot3(adjugate2[k][0], right[0], adjugate2[k][1], right[1], adjugate2[k][2], right[2]);
         for (int k = 0; k < 3; ++k)
             x[k] = hn::NegMulAdd(
                 mixed[k][0], w[0],
                 hn::NegMulAdd(mixed[k][1], w[1], hn::NegMulAdd(mixed[k][2], w[2], hn::Mul(det2, x[k]))));
+        return stepOf(det1, det2, w, x, at);
+    }
+
+    /// From the solution of both blocks: rotation w times det2, displacement x times det1 det2.
+    static HWY_INLINE Step stepOf(V det1, V det2, const V* w, const V* x, const Place& at) {
+        // The rotation does not wait for the reciprocal.
+        const V inverse = hn::Div(set(1.0), hn::Mul(det1, det2)), scale = hn::Mul(inverse, det1);
+        Step step;
+        step.turn[0] = hn::Add(det2, det2);
+        for (int k = 0; k < 3; ++k) {
+            step.turn[1 + k] = w[k];
+            step.w[k] = hn::Mul(scale, w[k]);
+        }
         for (int k = 0; k < 3; ++k) { // from the centre of the base to that of the platform
             const int p = (k + 1) % 3, q = (k + 2) % 3;
             step.t[k] = hn::MulAdd(inverse, x[k], minor(step.w[p], at.c[q], step.w[q], at.c[p]));
@@ -262,12 +295,26 @@ struct LaneSteps {
         place.q[3] = hn::MulAdd(hz, w, hn::MulAdd(hx, y, minor(h, z, hy, x)));
     }
 
-    static HWY_INLINE Step stepFromHome(const LaneMachine& machine, const V* error) {
+    /// What the legs miss at home.
+    static HWY_INLINE Lengths errorAtHome(const LaneMachine& machine, const Lengths& lengths) {
+        Lengths error;
+        for (std::size_t i = 0; i < kLegCount; ++i)
+            error.l[i] = hn::Sub(lengths.l[i], set(machine.homeLength[placeInMemory(i)]));
+        return error;
+    }
+    static HWY_INLINE V squared(const Lengths& error) {
+        V sum = hn::Mul(error.l[0], error.l[0]);
+        for (int i = 1; i < kLegCount; ++i)
+            sum = hn::MulAdd(error.l[i], error.l[i], sum);
+        return sum;
+    }
+    static HWY_INLINE Step stepFromHome(const LaneMachine& machine, const Lengths& error) {
         V x[kLegCount];
         for (std::size_t i = 0; i < kLegCount; ++i) {
-            x[i] = hn::Mul(set(machine.homeInverse[i][0]), error[0]);
+            const std::size_t at = placeInMemory(i);
+            x[i] = hn::Mul(set(machine.homeInverse[0][at]), error.l[0]);
             for (std::size_t j = 1; j < kLegCount; ++j)
-                x[i] = hn::MulAdd(set(machine.homeInverse[i][j]), error[j], x[i]);
+                x[i] = hn::MulAdd(set(machine.homeInverse[j][at]), error.l[j], x[i]);
         }
         return {{x[0], x[1], x[2]},
                 {x[3], x[4], x[5]},
@@ -279,6 +326,48 @@ struct LaneSteps {
         const V turn = dot3(step.w[0], step.w[0], step.w[1], step.w[1], step.w[2], step.w[2]);
         return hn::MulAdd(set(machine.spread * machine.spread), turn,
                           dot3(step.t[0], step.t[0], step.t[1], step.t[1], step.t[2], step.t[2]));
+    }
+
+    /// Of angles, the same in all lanes.
+    static HWY_INLINE void sinCosOfHalves(const EulerAngles& angles, V* s, V* c) {
+        const V half[] = {set(0.5 * angles.alpha), set(0.5 * angles.beta), set(0.5 * angles.gamma)};
+        for (int k = 0; k < 3; ++k) {
+            s[k] = hn::Sin(D(), half[k]);
+            c[k] = hn::Cos(D(), half[k]);
+        }
+    }
+
+    static HWY_INLINE V offsetOf(const LaneMachine& machine, const Place& at, const Rotation& R,
+                                 std::size_t k) {
+        const V arm = dot3(R.r[k][0], set(machine.centroidInP[0]), R.r[k][1], set(machine.centroidInP[1]),
+                           R.r[k][2], set(machine.centroidInP[2]));
+        return hn::Mul(hn::Sub(hn::Sub(at.c[k], arm), set(machine.homeOrigin[k])), set(machine.size));
+    }
+    static HWY_INLINE V cosBeta2(const Rotation& R) {
+        return hn::MulAdd(R.r[0][0], R.r[0][0], hn::Mul(R.r[1][0], R.r[1][0]));
+    }
+    static HWY_INLINE Found found(const LaneMachine& machine, const Place& at, const Rotation& R) {
+        Found out;
+        for (std::size_t k = 0; k < 3; ++k)
+            out.pose[k] = offsetOf(machine, at, R, k);
+        out.cosBeta2 = cosBeta2(R);
+        out.pose[3] = arcTangent(D(), R.r[2][1], R.r[2][2]);
+        out.pose[4] = arcTangent(D(), hn::Neg(R.r[2][0]), hn::Sqrt(out.cosBeta2));
+        out.pose[5] = arcTangent(D(), R.r[1][0], R.r[0][0]);
+        return out;
+    }
+    static HWY_INLINE M isInBox(const LaneMachine& machine, const Found& found) {
+        M inside = hn::Le(hn::Abs(found.pose[0]), set(machine.offsetBox));
+        for (int k = 1; k < 6; ++k)
+            inside = hn::And(
+                inside, hn::Le(hn::Abs(found.pose[k]), set(k < 3 ? machine.offsetBox : machine.angleBox)));
+        return inside;
+    }
+    /// Of the first lane.
+    static HWY_INLINE void store(const Found& found, Pose& pose) {
+        for (int k = 0; k < 3; ++k)
+            pose.offset[k] = hn::GetLane(found.pose[k]);
+        pose.angles = {hn::GetLane(found.pose[3]), hn::GetLane(found.pose[4]), hn::GetLane(found.pose[5])};
     }
 };
 

@@ -4,7 +4,7 @@
 
 #include "core/kinematics/solver_checks.h"
 
-#include <optional>
+#include <limits>
 #include <utility>
 
 namespace hexapose {
@@ -61,20 +61,20 @@ ForwardResult MprNewton::solve(const LegLengths& lengths, const Pose& start) con
     const PoseVector found = m_model.evaluate(lengths);
     ForwardResult result;
     int iterations = 0;
+    double startResidual = std::numeric_limits<double>::infinity();
     const auto solvedFrom = [&](const Pose& from) {
-        double startResidual = 0.0;
         const ForwardResult attempt = m_newton.solve(lengths, from, startResidual);
         iterations += attempt.iterations;
         // The first failure stays the answer unless a later start succeeds.
         if (attempt.status == SolveStatus::Converged || iterations == attempt.iterations)
             result = attempt;
-        return attempt.status == SolveStatus::Converged ? std::optional(startResidual) : std::nullopt;
+        return attempt.status == SolveStatus::Converged;
     };
     bool inside = isInside(m_model, lengths, found);
     if (inside) {
-        const auto residual = solvedFrom(Pose::fromVector(found));
-        inside = residual && *residual <= kResidualFactor * m_model.maxResidual;
-        if (inside) {
+        const bool solved = solvedFrom(Pose::fromVector(found));
+        inside = startResidual <= kResidualFactor * m_model.maxResidual;
+        if (solved && inside) {
             result.iterations = iterations;
             return result;
         }

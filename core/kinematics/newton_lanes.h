@@ -15,10 +15,12 @@ namespace hexapose {
 /// elimination. The legs are split in two triples; the first is the one whose leg vectors at home span the
 /// largest volume, so that their 3x3 block can be inverted without a search for pivots.
 struct LaneMachine {
-    std::array<int, kLegCount> order{};                           ///< place -> leg
-    std::array<std::array<double, kLegCount>, 3> base{}, joint{}; ///< see placeInMemory()
-    std::array<double, kLegCount> homeLength{};
-    std::array<std::array<double, kLegCount>, kLegCount> homeInverse{}; ///< of the Jacobian at home
+    /// Two triples of numbers, the last of each twice: see placeInMemory().
+    using Triples = std::array<double, 8>;
+    std::array<int, kLegCount> order{}; ///< place -> leg
+    std::array<Triples, 3> base{}, joint{};
+    Triples homeLength{};
+    std::array<Triples, kLegCount> homeInverse{}; ///< of the Jacobian at home, a column each
     std::array<double, 3> baseCentroid{}; ///< from the base's origin; all else of the base is from there
     std::array<double, 3> homeOrigin{};   ///< platform origin at home
     std::array<double, 3> centroidInP{};  ///< of the platform joints, platform frame
@@ -34,16 +36,16 @@ struct LaneMachine {
     double determinantSlope = 0.0; ///< most that it changed on those rays, over the norm of the step
 };
 
-/// A leg of the first triple stands beside one of the second: a single solution takes them in pairs.
+/// Each triple has four places: a single solution takes its legs side by side, and lanes come in fours.
 constexpr std::size_t placeInMemory(std::size_t place) {
-    return 2 * (place % 3) + place / 3;
+    return place + place / 3;
 }
 
 /// Where plain Newton steps led. What is not `solved` needs another way; what is not `clear` too: the pose is
 /// outside the box, near gimbal lock, or its side is not certain.
 struct LaneSolution {
-    PoseVector pose;
-    std::array<double, 3> centroid; ///< machine sizes
+    Pose pose;
+    std::array<double, 3> centroid; ///< machine sizes; only of what is not clear, as the next
     std::array<double, 4> rotation; ///< w x y z, not of unit length
     double residual;                ///< m
     double startResidual;           ///< at the start, m
@@ -54,8 +56,8 @@ struct LaneSolution {
 
 /// Newton (Eq. 14) from one start, full steps. lengths and tolerance: m. start: finite; home when it is all
 /// zeros.
-void solveLane(const LaneMachine& machine, const LegLengths& lengths, const PoseVector& start,
-               double tolerance, int maxIterations, LaneSolution& solution) noexcept;
+void solveLane(const LaneMachine& machine, const LegLengths& lengths, const Pose& start, double tolerance,
+               int maxIterations, LaneSolution& solution) noexcept;
 
 /// The same from home for several lengths at once, one in each lane of the processor's vectors.
 struct LaneBlock {

@@ -37,8 +37,8 @@ inline constexpr double kSingularValueFloor = 1e-4;
 /// a `start` on home's side) by a way on which it keeps it: the straight one, or that of the legs. A pose of
 /// these lengths of which that cannot be said is OtherBranch. Others: IterationLimit; Singular when the
 /// Jacobian cannot be inverted at the pose found or at home; NoSolution when the lengths break a triangle
-/// inequality or the residual stays at a positive minimum from `start`, from home and from home turned about
-/// each axis; InvalidInput. The pose is NaN where the status has none. Iterations are those of all attempts,
+/// inequality or the residual stays at a positive minimum from `start`, from home and from thirty places
+/// about it; InvalidInput. The pose is NaN where the status has none. Iterations are those of all attempts,
 /// and only one run is bound by the limit.
 class NewtonRaphson final : public ForwardSolver {
 public:

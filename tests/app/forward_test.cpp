@@ -62,6 +62,32 @@ TEST(Forward, PublishedLengthsGiveThePublishedPose) {
     }
 }
 
+TEST(Forward, EveryMethodTellsASingularPlatformInItsRows) {
+    // Both rings the same hexagon, one half as large: it can move while its legs stand still.
+    Machine hexagons = laboratory();
+    for (std::size_t i = 0; i < 6; ++i) {
+        const double angle = static_cast<double>(i) * std::numbers::pi / 3.0;
+        hexagons.base[i] = {180.0 * std::cos(angle), 180.0 * std::sin(angle), 0.0};
+        for (std::size_t k = 0; k < 3; ++k)
+            hexagons.platform[i][k] = 0.5 * hexagons.base[i][k];
+    }
+    hexagons.home = {0.0, 0.0, 285.0};
+    const Scratch scratch;
+    const std::string file = scratch.file("hexagons.toml", hexagons.toml());
+    for (const char* method :
+         {"newton", "newton-as-published", "mpr2", "mpr3", "mpr2-nr", "mpr3-nr", "fsi"}) {
+        SCOPED_TRACE(method);
+        const Outcome outcome =
+            cli({"forward", "-", "--platform", file, "--method", method},
+                csv(lengthColumns(), {hexagons.lengths({}), hexagons.lengths({5, 0, 3, 2, 0, 1})}));
+        EXPECT_EQ(outcome.status, 1) << outcome.err;
+        const Table table(outcome.out);
+        ASSERT_EQ(table.rows.size(), 2U) << outcome.err;
+        for (std::size_t row : {0U, 1U})
+            EXPECT_EQ(table.field(row, "status"), "singular");
+    }
+}
+
 TEST(Forward, ForeignLocalesChangeNoNumber) {
     const Outcome plain = cli({"forward", "-"}, kPublished);
     const Outcome german = cli({"forward", "-", "--tolerance-mm", "0.001"}, kPublished,

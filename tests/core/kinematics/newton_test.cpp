@@ -4,6 +4,7 @@
 
 #include "core/kinematics/singularity.h"
 #include "test_machines.h"
+#include "tests/support/sample_count.h"
 
 #include <gtest/gtest.h>
 
@@ -105,13 +106,30 @@ TEST(Newton, SaysWhyThereIsNoPose) {
     EXPECT_EQ(newton.solve(metres(200, 500, 300, 300, 300, 300), Pose{}).iterations, 0);
     // No pair of legs contradicts, and yet no pose has these.
     EXPECT_EQ(statusOf(newton, metres(400, 320, 400, 320, 400, 320)), SolveStatus::NoSolution);
-    for (const double beyond : {1.0, 10.0, 40.0}) { // the fold lies at 343.07 and 256.76
+    // Beyond the fold, which lies at 343.07 and 256.76, home's branch has none; others end later.
+    for (const double beyond : {1.0, 10.0, 40.0}) {
         const double longLeg = 343.07 + beyond, shortLeg = 256.76 - beyond;
-        EXPECT_EQ(statusOf(newton, metres(longLeg, shortLeg, shortLeg, longLeg, shortLeg, shortLeg)),
-                  SolveStatus::NoSolution)
+        const LegLengths lengths = metres(longLeg, shortLeg, shortLeg, longLeg, shortLeg, shortLeg);
+        const ForwardResult result = newton.solve(lengths, Pose{});
+        EXPECT_EQ(result.status, beyond < 40.0 ? SolveStatus::OtherBranch : SolveStatus::NoSolution)
             << beyond;
+        if (result.hasPose()) {
+            EXPECT_LT((legLengths(machine, result.pose) - lengths).norm(), 1e-9);
+        }
     }
+    // So long that their squares are no numbers.
+    EXPECT_EQ(statusOf(newton, LegLengths::Constant(1e297)), SolveStatus::NoSolution);
     EXPECT_EQ(statusOf(newton, machine.homeLengths(), {{std::nan(""), 0, 0}, {}}), SolveStatus::InvalidInput);
+}
+
+TEST(Newton, LengthsOfAPoseAreNeverSaidToHaveNone) {
+    for (const PlatformGeometry& machine : {laboratory(), asymmetric(), octahedral()}) {
+        const NewtonRaphson newton(machine, {});
+        RandomPoses poses(0.4 * machine.size(), radiansFromDeg(110.0), 47);
+        for (int i = 0; i < testing_support::samples(2000); ++i)
+            ASSERT_NE(statusOf(newton, legLengths(machine, poses.next())), SolveStatus::NoSolution)
+                << machine.name << ", pose " << i;
+    }
 }
 
 TEST(Newton, SaysSingular) {

@@ -226,6 +226,12 @@ TEST(MprNewton, SaysOutsideModelAndStillSolves) {
         outside += result.status == SolveStatus::OutsideModel ? 1 : 0;
     }
     EXPECT_GT(outside, 400);
+    // Within the model's range, whatever the tolerance.
+    const MprNewton exacting(machine, model, {1e-30, 50});
+    const ForwardResult within =
+        exacting.solve(legLengths(machine, Pose{{0.003, 0.002, -0.004}, {}}), Pose{});
+    EXPECT_TRUE(within.status == SolveStatus::IterationLimit || within.status == SolveStatus::Converged)
+        << toWord(within.status);
     // What Newton says passes through.
     EXPECT_EQ(mpr.solve(metres(400, 320, 400, 320, 400, 320), Pose{}).status, SolveStatus::NoSolution);
     const Pose beyond{{}, {0.0, 0.0, radiansFromDeg(120.0)}};
