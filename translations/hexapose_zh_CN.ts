@@ -1051,6 +1051,137 @@ FSI：以小步沿支腿路径跟踪
     </message>
 </context>
 <context>
+    <name>hexapose::ReportWords</name>
+    <message>
+        <source>Angle error (rad)</source>
+        <translation>角度误差（rad）</translation>
+    </message>
+    <message>
+        <source>Displacement error (m)</source>
+        <translation>位移误差（m）</translation>
+    </message>
+    <message>
+        <source>Sample</source>
+        <translation>样本</translation>
+    </message>
+    <message>
+        <source>no solution</source>
+        <translation>无解</translation>
+    </message>
+    <message>
+        <source>largest predicted for %1 mm resolution</source>
+        <translation>分辨率 %1 mm 的最大预测误差</translation>
+    </message>
+    <message>
+        <source>No samples</source>
+        <translation>没有样本</translation>
+    </message>
+    <message>
+        <source>No sample has a usable solution</source>
+        <translation>没有样本具有可用的解</translation>
+    </message>
+    <message>
+        <source>Error in rad and m</source>
+        <translation>误差，rad 与 m</translation>
+    </message>
+    <message>
+        <source>Error in deg and mm</source>
+        <translation>误差，deg 与 mm</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>平均</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>均方根</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>最大</translation>
+    </message>
+    <message>
+        <source>Predicted std. deviation</source>
+        <translation>预测标准差</translation>
+    </message>
+    <message>
+        <source>Predicted bound</source>
+        <translation>预测上界</translation>
+    </message>
+    <message>
+        <source>rad and m</source>
+        <translation>rad 与 m</translation>
+    </message>
+    <message>
+        <source>deg and mm</source>
+        <translation>deg 与 mm</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>目标</translation>
+    </message>
+    <message>
+        <source>Solved</source>
+        <translation>求解</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>误差</translation>
+    </message>
+    <message>
+        <source>Predicted</source>
+        <translation>预测</translation>
+    </message>
+    <message>
+        <source>Forward kinematics error report</source>
+        <translation>运动学正解误差报告</translation>
+    </message>
+    <message>
+        <source>Platform</source>
+        <translation>平台</translation>
+    </message>
+    <message>
+        <source>Solver</source>
+        <translation>求解器</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>日期</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>样本</translation>
+    </message>
+    <message>
+        <source>%1, of which %2 without a usable solution and not in the statistics</source>
+        <translation>%1 个，其中 %2 个没有可用的解，不计入统计</translation>
+    </message>
+    <message>
+        <source>Length resolution</source>
+        <translation>杆长分辨率</translation>
+    </message>
+    <message>
+        <source>Error: solved pose minus target. Maximum: of the absolute value. Predicted: what lengths rounded to %1 explain by themselves, through the inverse of the Jacobian; the bound is the worst case, the largest of all samples.</source>
+        <translation>误差：求解位姿减去目标位姿。最大：绝对值的最大值。预测：杆长按 %1 取整本身经雅可比矩阵之逆所能解释的误差；上界为最坏情况，取所有样本中的最大值。</translation>
+    </message>
+    <message>
+        <source>Sample %1</source>
+        <translation>样本 %1</translation>
+    </message>
+    <message>
+        <source>%1, iterations: %2, residual: %3 mm, measurements averaged: %4</source>
+        <translation>%1，迭代：%2，残差：%3 mm，平均的测量次数：%4</translation>
+    </message>
+    <message>
+        <source>Lengths (mm): %1</source>
+        <translation>杆长（mm）：%1</translation>
+    </message>
+    <message>
+        <source>page %1 of %2</source>
+        <translation>第 %1 页，共 %2 页</translation>
+    </message>
+</context>
+<context>
     <name>hexapose::SampleTable</name>
     <message>
         <source>No.</source>
@@ -1286,6 +1417,10 @@ FSI：以小步沿支腿路径跟踪
     <message>
         <source>Run</source>
         <translation>运行</translation>
+    </message>
+    <message>
+        <source>Cannot run: nothing is connected</source>
+        <translation>无法运行：尚未连接</translation>
     </message>
     <message>
         <source>Move to the target; references and enables first when that is needed</source>

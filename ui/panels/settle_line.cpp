@@ -6,6 +6,7 @@
 #include "core/geometry/units.h"
 #include "ui/common/card.h"
 #include "ui/common/read_out.h"
+#include "ui/common/theme.h"
 
 #include <QEvent>
 #include <QHBoxLayout>

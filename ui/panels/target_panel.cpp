@@ -143,9 +143,13 @@ void TargetPanel::setConnected(bool connected) {
 
 void TargetPanel::updateRun() {
     m_run->setEnabled(m_connected && m_hindrance.isEmpty());
-    m_run->setToolTip(m_hindrance.isEmpty()
-                          ? tr("Move to the target; references and enables first when that is needed")
-                          : m_hindrance);
+    if (!m_connected) {
+        m_run->setToolTip(tr("Cannot run: nothing is connected"));
+    } else if (!m_hindrance.isEmpty()) {
+        m_run->setToolTip(m_hindrance);
+    } else {
+        m_run->setToolTip(tr("Move to the target; references and enables first when that is needed"));
+    }
 }
 
 void TargetPanel::showSnapshot(const Snapshot& snapshot) {

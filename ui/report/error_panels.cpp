@@ -5,6 +5,7 @@
 #include "core/geometry/units.h"
 #include "ui/report/plot.h"
 #include "ui/report/report_export.h"
+#include "ui/report/report_words.h"
 
 #include <algorithm>
 #include <array>
@@ -29,8 +30,9 @@ struct Panel {
     int first; ///< coordinate of the pose vector
     std::array<const char*, 3> names;
 };
-constexpr Panel kAngles{"Angle error (rad)", 3, {"α", "β", "γ"}};
-constexpr Panel kDisplacements{"Displacement error (m)", 0, {"x", "y", "z"}};
+constexpr Panel kAngles{QT_TRANSLATE_NOOP("hexapose::ReportWords", "Angle error (rad)"), 3, {"α", "β", "γ"}};
+constexpr Panel kDisplacements{
+    QT_TRANSLATE_NOOP("hexapose::ReportWords", "Displacement error (m)"), 0, {"x", "y", "z"}};
 
 /// Three of the Okabe-Ito colours, which stay apart in colour-blind eyes and in grey.
 const std::array<QColor, 3> kColours{QColor(0x00, 0x72, 0xB2), QColor(0xD5, 0x5E, 0x00),
@@ -49,14 +51,14 @@ Plot::Range symmetric(double errors, double band) {
 
 Plot makePlot(const ErrorReport& report, const Panel& panel) {
     Plot plot;
-    plot.xLabel = QStringLiteral("Sample");
-    plot.yLabel = QString::fromUtf8(panel.label);
+    plot.xLabel = ReportWords::tr("Sample");
+    plot.yLabel = ReportWords::tr(panel.label);
     for (std::size_t k = 0; k < 3; ++k)
         plot.series.push_back({QString::fromUtf8(panel.names[k]), kColours[k], kMarkers[k], true, {}});
     Plot::Series failed{
-        QStringLiteral("no solution"), QColor(0x33, 0x33, 0x33), Plot::Marker::Cross, false, {}};
-    Plot::Band band{QString::fromStdString("largest predicted for " +
-                                           formatNumber(mmFromMetres(report.resolution)) + " mm resolution"),
+        ReportWords::tr("no solution"), QColor(0x33, 0x33, 0x33), Plot::Marker::Cross, false, {}};
+    Plot::Band band{ReportWords::tr("largest predicted for %1 mm resolution")
+                        .arg(QString::fromStdString(formatNumber(mmFromMetres(report.resolution)))),
                     QColor(0xEC, 0xEA, 0xE4),
                     {}};
     double largestError = 0.0;
@@ -83,9 +85,9 @@ Plot makePlot(const ErrorReport& report, const Panel& panel) {
                  : Plot::Range{report.rows.front().number - 0.5, report.rows.back().number + 0.5};
     plot.y = symmetric(largestError, largestBound);
     if (report.rows.empty())
-        plot.note = QStringLiteral("No samples");
+        plot.note = ReportWords::tr("No samples");
     else if (!anyUsable)
-        plot.note = QStringLiteral("No sample has a usable solution");
+        plot.note = ReportWords::tr("No sample has a usable solution");
     plot.series.push_back(std::move(failed));
     plot.band = std::move(band);
     return plot;

@@ -8,6 +8,7 @@
 #include "ui/report/pdf_pages.h"
 #include "ui/report/report_export.h"
 #include "ui/report/report_numbers.h"
+#include "ui/report/report_words.h"
 
 #include <QLocale>
 
@@ -59,7 +60,8 @@ PdfPages::Table statisticsTable(const ErrorReport& report) {
     table.widths = {50, 21, 21, 21, 21, 21, 21};
     for (const bool si : {true, false}) {
         const PoseDecimals* common = si ? nullptr : &decimals;
-        QStringList units{si ? QStringLiteral("Error in rad and m") : QStringLiteral("Error in deg and mm")};
+        QStringList units{si ? ReportWords::tr("Error in rad and m")
+                             : ReportWords::tr("Error in deg and mm")};
         for (const int k : kPrintOrder)
             units << kNames[static_cast<std::size_t>(k)] +
                          (k < 3 ? (si ? QStringLiteral(" (m)") : QStringLiteral(" (mm)"))
@@ -68,13 +70,13 @@ PdfPages::Table statisticsTable(const ErrorReport& report) {
             table.header = units;
         else
             table.rows.push_back(units);
-        table.rows.push_back(statisticsRow(QStringLiteral("Mean"), report.statistics.mean, common));
-        table.rows.push_back(statisticsRow(QStringLiteral("RMS"), report.statistics.rms, common));
-        table.rows.push_back(statisticsRow(QStringLiteral("Maximum"), report.statistics.maximum, common));
+        table.rows.push_back(statisticsRow(ReportWords::tr("Mean"), report.statistics.mean, common));
+        table.rows.push_back(statisticsRow(ReportWords::tr("RMS"), report.statistics.rms, common));
+        table.rows.push_back(statisticsRow(ReportWords::tr("Maximum"), report.statistics.maximum, common));
         table.rows.push_back(
-            statisticsRow(QStringLiteral("Predicted std. deviation"), typicalSigma(report), common));
+            statisticsRow(ReportWords::tr("Predicted std. deviation"), typicalSigma(report), common));
         table.rows.push_back(
-            statisticsRow(QStringLiteral("Predicted bound"), largestPredictedBound(report), common));
+            statisticsRow(ReportWords::tr("Predicted bound"), largestPredictedBound(report), common));
     }
     table.headerRows = {5};
     return table;
@@ -84,9 +86,9 @@ PdfPages::Table sampleTable(const ErrorRow& row, const PoseDecimals& decimals) {
     PdfPages::Table table;
     table.widths = {8, 21, 21, 21, 21, 21, 21, 21, 21};
     table.headerSpan = {4, 4};
-    table.groups = QStringList{QStringLiteral("rad and m"), QStringLiteral("deg and mm")};
-    const QStringList columns{QStringLiteral("Target"), QStringLiteral("Solved"), QStringLiteral("Error"),
-                              QStringLiteral("Predicted")};
+    table.groups = QStringList{ReportWords::tr("rad and m"), ReportWords::tr("deg and mm")};
+    const QStringList columns{ReportWords::tr("Target"), ReportWords::tr("Solved"), ReportWords::tr("Error"),
+                              ReportWords::tr("Predicted")};
     table.header = QStringList{QString()} + columns + columns;
     const bool usable = row.solution.isUsable();
     const PoseVector unknown = PoseVector::Constant(std::nan(""));
@@ -122,25 +124,25 @@ int pageCount(const ErrorReport& report) {
 }
 
 void paintFirstPage(PdfPages& pages, const ErrorReport& report, const QDateTime& date) {
-    pages.heading(QStringLiteral("Forward kinematics error report"), 17.0);
+    pages.heading(ReportWords::tr("Forward kinematics error report"), 17.0);
     pages.rule();
     pages.skip(2.5);
     constexpr double kLabel = 34.0;
     const auto samples = static_cast<int>(report.rows.size());
-    pages.line(QStringLiteral("Platform"), kLabel, QString::fromStdString(report.platformName));
-    pages.line(QStringLiteral("Solver"), kLabel, QString::fromStdString(report.solver));
-    pages.line(QStringLiteral("Date"), kLabel, dateText(date));
-    pages.line(QStringLiteral("Samples"), kLabel,
+    pages.line(ReportWords::tr("Platform"), kLabel, QString::fromStdString(report.platformName));
+    pages.line(ReportWords::tr("Solver"), kLabel, QString::fromStdString(report.solver));
+    pages.line(ReportWords::tr("Date"), kLabel, dateText(date));
+    pages.line(ReportWords::tr("Samples"), kLabel,
                report.failed == 0
                    ? QString::number(samples)
-                   : QStringLiteral("%1, of which %2 without a usable solution and not in the statistics")
+                   : ReportWords::tr("%1, of which %2 without a usable solution and not in the statistics")
                          .arg(samples)
                          .arg(report.failed));
-    pages.line(QStringLiteral("Length resolution"), kLabel, resolutionText(report));
+    pages.line(ReportWords::tr("Length resolution"), kLabel, resolutionText(report));
     pages.skip(3.0);
     pages.table(statisticsTable(report));
     pages.skip(1.5);
-    pages.note(QStringLiteral(
+    pages.note(ReportWords::tr(
                    "Error: solved pose minus target. Maximum: of the absolute value. Predicted: what lengths "
                    "rounded to %1 explain by themselves, through the inverse of the Jacobian; the bound is "
                    "the worst case, the largest of all samples.")
@@ -154,8 +156,8 @@ void paintFirstPage(PdfPages& pages, const ErrorReport& report, const QDateTime&
 void paintSample(PdfPages& pages, const ErrorRow& row, const PoseDecimals& decimals) {
     const ForwardResult& solution = row.solution;
     const auto status = toWord(solution.status);
-    pages.line(QStringLiteral("Sample %1").arg(row.number), 24.0,
-               QStringLiteral("%1, iterations: %2, residual: %3 mm, measurements averaged: %4")
+    pages.line(ReportWords::tr("Sample %1").arg(row.number), 24.0,
+               ReportWords::tr("%1, iterations: %2, residual: %3 mm, measurements averaged: %4")
                    .arg(QString::fromUtf8(status.data(), static_cast<qsizetype>(status.size())))
                    .arg(solution.iterations)
                    .arg(errorText(mmFromMetres(solution.residual)))
@@ -163,7 +165,7 @@ void paintSample(PdfPages& pages, const ErrorRow& row, const PoseDecimals& decim
     QStringList lengths;
     for (const double length : row.sample.meanLengths)
         lengths << decimals.common(0, length);
-    pages.line(QString(), 24.0, QStringLiteral("Lengths (mm): ") + lengths.join(QStringLiteral("  ")));
+    pages.line(QString(), 24.0, ReportWords::tr("Lengths (mm): %1").arg(lengths.join(QStringLiteral("  "))));
     pages.skip(kLinesAboveTable - 2 * PdfPages::lineHeight());
     pages.table(sampleTable(row, decimals));
     pages.skip(kGapBelowSample);
@@ -172,7 +174,7 @@ void paintSample(PdfPages& pages, const ErrorRow& row, const PoseDecimals& decim
 } // namespace
 
 void writeErrorReportPdf(const ErrorReport& report, const QDateTime& date, QIODevice& device) {
-    const QString title = QStringLiteral("Forward kinematics error report");
+    const QString title = ReportWords::tr("Forward kinematics error report");
     PdfPages pages(device, title, title + QStringLiteral(" — ") + QString::fromStdString(report.platformName),
                    pageCount(report));
     paintFirstPage(pages, report, date);
@@ -181,7 +183,7 @@ void writeErrorReportPdf(const ErrorReport& report, const QDateTime& date, QIODe
     for (const ErrorRow& row : report.rows) {
         if (onPage == samplesPerPage()) {
             pages.newPage();
-            pages.heading(QStringLiteral("Samples"), 12.0);
+            pages.heading(ReportWords::tr("Samples"), 12.0);
             pages.skip(pages.remaining() - (PdfPages::pageHeight() - kSamplesHeading));
             onPage = 0;
         }

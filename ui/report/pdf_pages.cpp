@@ -5,6 +5,7 @@
 
 #include "core/geometry/input_error.h"
 #include "ui/report/plot.h"
+#include "ui/report/report_words.h"
 
 #include <QFontMetricsF>
 #include <QPageLayout>
@@ -87,7 +88,7 @@ void PdfPages::paintFooter() {
     const QRectF area(0.0, px(kPageHeight - 2.0 * kMargin - kRowHeight), px(width()), px(kRowHeight));
     m_painter.setFont(font(kTablePoints));
     m_painter.setPen(kQuiet);
-    const QString number = QStringLiteral("page %1 of %2").arg(m_page).arg(m_pageCount);
+    const QString number = ReportWords::tr("page %1 of %2").arg(m_page).arg(m_pageCount);
     const QFontMetricsF metrics(m_painter.font(), &m_writer);
     const double room = area.width() - metrics.horizontalAdvance(number) - px(5.0);
     m_painter.drawText(area, Qt::AlignLeft | Qt::AlignVCenter,

@@ -6,6 +6,7 @@
 #include "core/geometry/input_error.h"
 #include "ui/report/error_report_pdf.h"
 #include "ui/report/picture_files.h"
+#include "ui/report/report_words.h"
 
 #include <QBuffer>
 #include <QDateTime>
@@ -40,7 +41,7 @@ QByteArray figurePng(const ErrorReport& report) {
 }
 
 QByteArray figureSvg(const ErrorReport& report) {
-    return svgBytes(kSvgSize, QStringLiteral("Forward kinematics error report"),
+    return svgBytes(kSvgSize, ReportWords::tr("Forward kinematics error report"),
                     QString::fromStdString(report.platformName),
                     [&](QPainter& painter) { paintFigure(painter, kSvgSize, report); });
 }

@@ -64,6 +64,10 @@ TEST_F(TargetPanelTest, RunIsDisabledWithItsReasonWhileTheStateIsNotKnown) {
     panel.showSnapshot(good);
     EXPECT_TRUE(button("Run")->isEnabled());
     EXPECT_EQ(validity(), "Reachable");
+    panel.setConnected(false);
+    EXPECT_FALSE(button("Run")->isEnabled());
+    EXPECT_TRUE(button("Run")->toolTip().contains(QStringLiteral("nothing is connected")));
+    EXPECT_EQ(validity(), "Reachable"); // the target is judged all the same
 }
 
 TEST_F(TargetPanelTest, TheNameOfAPoseHasAnEditorOfThatName) {

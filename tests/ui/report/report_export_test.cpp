@@ -8,6 +8,7 @@
 #include "core/geometry/units.h"
 #include "core/kinematics/inverse_kinematics.h"
 #include "core/kinematics/newton_raphson.h"
+#include "ui/common/language.h"
 
 #include <QFile>
 #include <QImage>
@@ -108,6 +109,20 @@ TEST_F(ReportExport, WritesFourFilesThatHoldTheReport) {
         EXPECT_TRUE(svg.contains(text)) << text;
     EXPECT_FALSE(svg.contains("no solution"));
     EXPECT_TRUE(svg.contains("0.5")) << "numbers with a point, whatever the desktop's language";
+}
+
+TEST_F(ReportExport, SpeaksTheLanguageOfTheWindowButNotInItsNumbersAndColumns) {
+    const ErrorReport report = makeReport(6, 1.0, 3);
+    LanguageSwitch language;
+    ASSERT_TRUE(language.choose(QStringLiteral("zh_CN")));
+    const auto files = exportErrorReport(report, directory);
+    const QByteArray svg = readAll(files[3]);
+    for (const char* text : {"角度误差", "位移误差", "样本", "无解", "运动学正解误差报告", "0.5"})
+        EXPECT_TRUE(svg.contains(text)) << text;
+    for (const char* text : {"error", "Sample", "largest", "no solution"})
+        EXPECT_FALSE(svg.contains(text)) << text;
+    EXPECT_EQ(pagesOf(readAll(files[0])), 3);
+    EXPECT_EQ(readAll(files[1]).toStdString(), formatErrorCsv(report));
 }
 
 TEST_F(ReportExport, WorksForEverySizeOfRunAndMachine) {
