@@ -72,10 +72,11 @@ TEST(DataFiles, BadRowsOfLengthsGiveNoPoseAndTheOthersGoOn) {
         for (std::size_t row = 0; row < table.rows.size(); ++row) {
             const bool isBad = row % 2 == 1;
             EXPECT_EQ(table.six(row, poseColumns()).size(), isBad ? 0U : 6U) << row;
-            if (isBad)
+            if (isBad) {
                 EXPECT_EQ(table.field(row, "status"), "invalid-input") << bad[row / 2];
-            else
+            } else {
                 EXPECT_NEAR(table.number(row, "z_mm"), 39.78, 3.0);
+            }
         }
     }
 }

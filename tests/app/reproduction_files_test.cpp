@@ -135,8 +135,9 @@ TEST(ReproductionFiles, AreTheSameForTheSameNumbers) {
         EXPECT_EQ(fs::exists(first / (name + "-times.csv")), !again[i].timesCsv.empty());
         EXPECT_EQ(fs::exists(first / (name + "-times.svg")), again[i].timesPicture.has_value());
         for (const Check& check : again[i].checks)
-            if (name.size() > 7) // of the second paper, which needs no size of its own
+            if (name.size() > 7) { // of the second paper, which needs no size of its own
                 EXPECT_TRUE(check.holds()) << name << ": " << check.text();
+            }
     }
     EXPECT_THROW(writeExhibit(again.front(), directory.filePath("missing").toStdString()), InputError);
 }

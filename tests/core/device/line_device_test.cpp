@@ -166,8 +166,9 @@ TEST(LineDevice, RequestsGoOutOnceAndAMissingAnswerIsTold) {
         const DeviceFeedback late = host.pass(5s);
         ASSERT_EQ(count(late.notices, Kind::NoAnswer), 1);
         EXPECT_EQ(late.notices[0].request, type);
-        if (what != DeviceRequest::Disable) // that one is repeated
+        if (what != DeviceRequest::Disable) { // that one is repeated
             EXPECT_EQ(count(host.script.takeSent(), type), 0);
+        }
 
         host.script.say("OK," + std::string(type), 1ms);
         const DeviceFeedback answered = host.device.exchange(request(what));

@@ -126,10 +126,11 @@ TEST(Mechanism, SphericalPlatformComesToTheRotation) {
     for (const int steps : {10, 100, 1000}) {
         const BodyMotion body = poseOfNodes(system, follow(system, target, steps, StepForm::Open));
         const double deg = degFromRadians(rotationVector(R, body.R_BP).norm());
-        if (before > 0.0)
+        if (before > 0.0) {
             EXPECT_NEAR(before / deg, 10.0, 0.5);
-        else
+        } else {
             EXPECT_NEAR(deg / 0.169, 1.0, kPart); // as the prototype
+        }
         before = deg;
     }
     for (const auto& [steps, deg] : {std::pair{10, 1.7e-2}, {100, 1.7e-4}, {1000, 1.7e-6}}) {
