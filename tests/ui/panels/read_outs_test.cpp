@@ -3,6 +3,7 @@
 #include "tests/ui/panels/synthetic_machine.h"
 #include "tests/ui/screen_reader.h"
 #include "ui/common/read_out.h"
+#include "ui/common/theme.h"
 #include "ui/panels/legs_panel.h"
 #include "ui/panels/pose_panel.h"
 #include "ui/panels/settle_line.h"
