@@ -1065,8 +1065,8 @@ FSI：以小步沿支腿路径跟踪
         <translation>样本</translation>
     </message>
     <message>
-        <source>no solution</source>
-        <translation>无解</translation>
+        <source>no usable solution</source>
+        <translation>无可用解</translation>
     </message>
     <message>
         <source>largest predicted for %1 mm resolution</source>
@@ -1079,6 +1079,34 @@ FSI：以小步沿支腿路径跟踪
     <message>
         <source>No sample has a usable solution</source>
         <translation>没有样本具有可用的解</translation>
+    </message>
+    <message>
+        <source>converged</source>
+        <translation>已收敛</translation>
+    </message>
+    <message>
+        <source>iteration limit reached</source>
+        <translation>达到迭代次数上限</translation>
+    </message>
+    <message>
+        <source>singular</source>
+        <translation>奇异</translation>
+    </message>
+    <message>
+        <source>no pose of these lengths found</source>
+        <translation>未找到符合这些杆长的位姿</translation>
+    </message>
+    <message>
+        <source>invalid lengths</source>
+        <translation>杆长无效</translation>
+    </message>
+    <message>
+        <source>outside the model&apos;s range</source>
+        <translation>超出模型范围</translation>
+    </message>
+    <message>
+        <source>pose of another assembly mode</source>
+        <translation>属于另一装配模式的位姿</translation>
     </message>
     <message>
         <source>Error in rad and m</source>
@@ -1332,8 +1360,8 @@ FSI：以小步沿支腿路径跟踪
         <translation>奇异</translation>
     </message>
     <message>
-        <source>No pose has these lengths</source>
-        <translation>没有位姿符合这些杆长</translation>
+        <source>No pose of these lengths was found</source>
+        <translation>未找到符合这些杆长的位姿</translation>
     </message>
     <message>
         <source>Invalid lengths</source>

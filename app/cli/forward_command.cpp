@@ -117,7 +117,7 @@ int forwardCommand(const QStringList& words) {
     const PlatformGeometry platform = arguments.platform();
     const CsvTable table = readCsv(arguments.operand(0));
     const NumberRows rows(table, kLengthColumns);
-    const ChosenSolver chosen = chooseSolverOfRows(arguments, platform);
+    const ChosenSolver chosen = chooseSolverAlsoWhenSingular(arguments, platform);
     const PathFallback* fallback = chosen.fallback();
 
     bool allOk = true;

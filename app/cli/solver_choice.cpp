@@ -121,7 +121,7 @@ ChosenSolver chooseSolver(const Arguments& arguments, const PlatformGeometry& pl
     return choose(arguments, platform, true);
 }
 
-ChosenSolver chooseSolverOfRows(const Arguments& arguments, const PlatformGeometry& platform) {
+ChosenSolver chooseSolverAlsoWhenSingular(const Arguments& arguments, const PlatformGeometry& platform) {
     return choose(arguments, platform, homeDeterminant(platform) != 0.0);
 }
 

@@ -33,7 +33,7 @@ ChosenSolver chooseSolver(const Arguments& arguments, const PlatformGeometry& pl
 
 /// The same, but of a platform that is singular at home, which can have no model, Newton, which says Singular
 /// of every pose; chooseSolver() refuses such a platform.
-ChosenSolver chooseSolverOfRows(const Arguments& arguments, const PlatformGeometry& platform);
+ChosenSolver chooseSolverAlsoWhenSingular(const Arguments& arguments, const PlatformGeometry& platform);
 
 /// The solver of a method with its default options and the platform's own model.
 ChosenSolver makeDefaultSolver(const ForwardMethod& method, const PlatformGeometry& platform);

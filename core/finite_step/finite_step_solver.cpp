@@ -24,7 +24,7 @@ FiniteStepSolver::FiniteStepSolver(const PlatformGeometry& geometry, const Finit
 ForwardResult FiniteStepSolver::solve(const LegLengths& lengths, const Pose& start) const noexcept {
     if (!areLengths(lengths) || !start.isFinite())
         return withoutPose(SolveStatus::InvalidInput, 0, kNoNumber);
-    if (m_equations.breaksTriangle(m_equations.scaled(lengths), kSlack))
+    if (m_equations.areUnreachable(m_equations.scaled(lengths), kSlack))
         return withoutPose(SolveStatus::NoSolution, 0, kNoNumber);
     const PathResult path = m_path.followStraight(start, lengths, m_options.steps, m_options.form);
     if (path.end == PathEnd::InvalidInput)

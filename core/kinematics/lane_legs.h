@@ -105,7 +105,7 @@ struct LaneLegs : LaneSteps<D> {
         V sum2 = hn::Zero(D());
         evaluateTriple<0>(machine, at, R, to, rows.first, sum2);
         evaluateTriple<1>(machine, at, R, to, rows.second, sum2);
-        rows.residual2 = sum(withoutRepeated(sum2));
+        rows.residual2 = hn::Mul(sum(withoutRepeated(sum2)), set(0.25));
     }
     template <std::size_t which>
     static HWY_INLINE void evaluateTriple(const LaneMachine& machine, const Place& at, const Rotation& R,

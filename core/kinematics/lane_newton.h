@@ -100,7 +100,7 @@ struct Newton : Steps {
         run.residual2 = run.startResidual2 = squared(error);
         run.solved = hn::And(run.active, hn::Le(run.residual2, set(limits.tolerance * limits.tolerance)));
         run.active = hn::AndNot(run.solved, run.active);
-        if (hn::AllFalse(D(), run.active))
+        if (limits.steps <= 0 || hn::AllFalse(D(), run.active))
             return false;
         Step step = stepFromHome(machine, error);
         take(machine, step, run);

@@ -48,7 +48,7 @@ HWY_INLINE void momentOf(const V* base, const V* d, V* m) {
     }
 }
 
-/// Adds the square of |d| - l to sum.
+/// Adds u t to sum, four times the square of |d| - l where that is small; it has no other root than |d| = l.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE LegRow<V> evaluateLeg(D tag, const V* base, const V* joint, const V* centroid, const V (*R)[3],
                                  V length2, V inverse2, V& sum) {
@@ -58,13 +58,13 @@ HWY_INLINE LegRow<V> evaluateLeg(D tag, const V* base, const V* joint, const V* 
         leg.d[k] = hn::MulAdd(
             R[k][0], joint[0],
             hn::MulAdd(R[k][1], joint[1], hn::MulAdd(R[k][2], joint[2], hn::Sub(centroid[k], base[k]))));
-    // |d| (l - |d|) without a root: with t = l^2 - d^2 and u = t / l^2 it is t/2 (1 - u/4 - u^2/8 - ...);
-    // only the last, exact, digits decide, and there u is nothing.
+    // |d| (l - |d|) without a root: with t = l^2 - d^2 and u = t / l^2 it is t/2 (1 - u/4 - u^2/8 - ...).
+    // That vanishes at u = -4 too, so it is not what tells the end.
     const V t = hn::NegMulAdd(leg.d[0], leg.d[0],
                               hn::NegMulAdd(leg.d[1], leg.d[1], hn::NegMulAdd(leg.d[2], leg.d[2], length2)));
     const V part = hn::Mul(t, inverse2);
     leg.e = hn::Mul(t, hn::NegMulAdd(part, hn::MulAdd(part, set(0.0625), set(0.125)), set(0.5)));
-    sum = hn::MulAdd(hn::Mul(leg.e, leg.e), inverse2, sum);
+    sum = hn::MulAdd(t, part, sum);
     return leg;
 }
 
@@ -174,6 +174,7 @@ struct LaneSteps {
                                     const Target& to, Rows& rows) {
         rows.residual2 = hn::Zero(D());
         evaluateLegs(machine, at, R, to, rows, std::make_index_sequence<kLegCount>());
+        rows.residual2 = hn::Mul(rows.residual2, set(0.25));
     }
 
     // Written out leg by leg: in a loop compilers keep each row twice.

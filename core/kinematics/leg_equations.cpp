@@ -133,7 +133,10 @@ double LegEquations::branchSign(const Evaluation& at, double singularValueFloor)
     return std::copysign(1.0, determinant);
 }
 
-bool LegEquations::breaksTriangle(const Legs& target, double slack) const noexcept {
+bool LegEquations::areUnreachable(const Legs& target, double slack) const noexcept {
+    constexpr double kLongest = 1e50; // machine sizes
+    if (!(target.maxCoeff() <= kLongest))
+        return true;
     for (int i = 0; i < kLegCount; ++i)
         for (int j = i + 1; j < kLegCount; ++j)
             if (std::abs(target[i] - target[j]) > m_reach(i, j) + slack)

@@ -64,8 +64,9 @@ public:
     /// The same machine for the vector code, with the box about home in which it need not ask for the side.
     LaneMachine laneMachine(double homeDeterminant) const;
 
-    /// Whether two of these lengths break a triangle inequality: | |d_i| - |d_j| | <= |A_i A_j| + |B_i B_j|.
-    bool breaksTriangle(const Legs& target, double slack) const noexcept;
+    /// Surely no pose has these lengths: two break a triangle inequality, | |d_i| - |d_j| | <= |A_i A_j| +
+    /// |B_i B_j|, or they are so long that their products are no numbers.
+    bool areUnreachable(const Legs& target, double slack) const noexcept;
 
 private:
     double m_size;

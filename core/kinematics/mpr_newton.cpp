@@ -61,13 +61,15 @@ ForwardResult MprNewton::solve(const LegLengths& lengths, const Pose& start) con
     const PoseVector found = m_model.evaluate(lengths);
     ForwardResult result;
     int iterations = 0;
+    bool isFirst = true;
     double startResidual = std::numeric_limits<double>::infinity();
     const auto solvedFrom = [&](const Pose& from) {
         const ForwardResult attempt = m_newton.solve(lengths, from, startResidual);
         iterations += attempt.iterations;
         // The first failure stays the answer unless a later start succeeds.
-        if (attempt.status == SolveStatus::Converged || iterations == attempt.iterations)
+        if (attempt.status == SolveStatus::Converged || isFirst)
             result = attempt;
+        isFirst = false;
         return attempt.status == SolveStatus::Converged;
     };
     bool inside = isInside(m_model, lengths, found);
@@ -79,7 +81,9 @@ ForwardResult MprNewton::solve(const LegLengths& lengths, const Pose& start) con
             return result;
         }
     }
-    if (solvedFrom(start) || solvedFrom(Pose{}))
+    // Who finds no solution has looked from home too.
+    const bool mayHomeDo = !start.toVector().isZero(0.0);
+    if (solvedFrom(start) || (mayHomeDo && result.status != SolveStatus::NoSolution && solvedFrom(Pose{})))
         result.status = inside ? SolveStatus::Converged : SolveStatus::OutsideModel;
     result.iterations = iterations;
     return result;

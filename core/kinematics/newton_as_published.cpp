@@ -37,7 +37,7 @@ ForwardResult NewtonAsPublished::solve(const LegLengths& lengths, const Pose& st
     if (!areLengths(lengths) || !start.isFinite())
         return withoutPose(SolveStatus::InvalidInput, 0, kNoNumber);
     const LegEquations::Legs target = m_equations.scaled(lengths);
-    if (m_equations.breaksTriangle(target, m_tolerance / m_equations.size()))
+    if (m_equations.areUnreachable(target, m_tolerance / m_equations.size()))
         return withoutPose(SolveStatus::NoSolution, 0, kNoNumber);
 
     ForwardResult result{start, SolveStatus::IterationLimit, 0, kNoNumber, false};

@@ -47,12 +47,16 @@ struct LaneSolution {
     Pose pose;
     std::array<double, 3> centroid; ///< machine sizes; only of what is not clear, as the next
     std::array<double, 4> rotation; ///< w x y z, not of unit length
-    double residual;                ///< m
-    double startResidual;           ///< at the start, m
+    double residual;                ///< m; see kLooseResidual
+    double startResidual;           ///< at the start, m; the same
     int iterations;
     bool solved;
     bool clear;
 };
+
+/// Residuals of the vector code are of (l^2 - |d|^2) / 2l, which needs no root. Up to this part of the
+/// machine's size that is l - |d| to a part of 1e-4; larger ones are from half to many times as large.
+constexpr double kLooseResidual = 1e-4;
 
 /// Newton (Eq. 14) from one start, full steps. lengths and tolerance: m. start: finite; home when it is all
 /// zeros.

@@ -21,8 +21,6 @@ namespace {
 /// 1e-10 m over the 0.2999165 m of the laboratory platform.
 constexpr double kRelativeTolerance = 1e-10 / 0.2999165;
 
-/// Legs longer than this, in machine sizes, have squares that are no numbers.
-constexpr double kFurthest = 1e100;
 /// A start turned further than this is no ordinary one.
 constexpr double kMostAngle = 1000.0;
 /// Where else to look for a pose before saying that there is none: home, home turned about each axis, and so
@@ -92,10 +90,10 @@ ForwardResult NewtonRaphson::solve(const LegLengths& lengths, const Pose& start,
     LaneSolution found;
     solveLane(m_lanes, lengths, start, m_tolerance, m_maxIterations, found);
     startResidual = found.startResidual;
+    if (!found.solved || found.residual > kLooseResidual * m_equations.size())
+        return solveCarefully(lengths, start);
     if (found.clear)
         return {found.pose, SolveStatus::Converged, found.iterations, found.residual, true};
-    if (!found.solved)
-        return solveCarefully(lengths, start);
     NewtonRun run;
     const Eigen::Vector4d q = Eigen::Vector4d::Map(found.rotation.data()).normalized();
     run.placement = {Eigen::Vector3d::Map(found.centroid.data()), q[0], q.tail<3>()};
@@ -111,7 +109,7 @@ ForwardResult NewtonRaphson::solveCarefully(const LegLengths& lengths, const Pos
         return withoutPose(SolveStatus::InvalidInput, 0, kNoNumber);
     const LegEquations::Legs target = m_equations.scaled(lengths);
     const double tolerance = m_tolerance / m_equations.size();
-    if (m_equations.breaksTriangle(target, tolerance) || !(target.maxCoeff() <= kFurthest))
+    if (m_equations.areUnreachable(target, tolerance))
         return withoutPose(SolveStatus::NoSolution, 0, kNoNumber);
     const Placement from = m_equations.placementOf(start);
     if (m_homeDeterminant == 0.0) {
@@ -208,9 +206,10 @@ void NewtonRaphson::solveRange(std::span<const LegLengths> lengths,
 
 void NewtonRaphson::takeOut(const LaneBlock& block, std::span<const LegLengths> lengths,
                             std::span<ForwardResult> results) const noexcept {
+    const double loose = kLooseResidual * m_equations.size();
     for (std::size_t i = 0; i < results.size(); ++i) {
         ForwardResult& result = results[i];
-        if (!block.clear[i]) {
+        if (!block.clear[i] || block.residual[i] > loose) {
             result = solve(lengths[i], Pose{});
             continue;
         }

@@ -37,16 +37,17 @@ inline constexpr double kSingularValueFloor = 1e-4;
 /// a `start` on home's side) by a way on which it keeps it: the straight one, or that of the legs. A pose of
 /// these lengths of which that cannot be said is OtherBranch. Others: IterationLimit; Singular when the
 /// Jacobian cannot be inverted at the pose found or at home; NoSolution when the lengths break a triangle
-/// inequality or the residual stays at a positive minimum from `start`, from home and from thirty places
-/// about it; InvalidInput. The pose is NaN where the status has none. Iterations are those of all attempts,
-/// and only one run is bound by the limit.
+/// inequality, or the residual stays at a positive minimum from `start` and no pose was reached from home and
+/// thirty places about it; InvalidInput. The pose is NaN where the status has none. Iterations are those of
+/// all attempts, and only one run is bound by the limit.
 class NewtonRaphson final : public ForwardSolver {
 public:
     /// geometry: one that validate() accepts; it is not kept.
     NewtonRaphson(const PlatformGeometry& geometry, const NewtonOptions& options);
     ForwardResult solve(const LegLengths& lengths, const Pose& start) const noexcept override;
-    /// The same, and the residual at `start`, m, which the first step finds by the way; infinity where none
-    /// was taken.
+    /// The same, and the residual at `start`, m, which the first step finds by the way: to some per cent
+    /// where it is a tenth of the lengths, and no less than half of it anywhere. Infinity where no step was
+    /// taken.
     ForwardResult solve(const LegLengths& lengths, const Pose& start, double& startResidual) const noexcept;
     std::string_view name() const noexcept override { return "newton"; }
 

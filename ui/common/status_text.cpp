@@ -111,7 +111,7 @@ QString solveStatusText(SolveStatus status) {
     case SolveStatus::Singular:
         return StatusText::tr("Singular");
     case SolveStatus::NoSolution:
-        return StatusText::tr("No pose has these lengths");
+        return StatusText::tr("No pose of these lengths was found");
     case SolveStatus::InvalidInput:
         return StatusText::tr("Invalid lengths");
     case SolveStatus::OutsideModel:

@@ -46,6 +46,26 @@ QStringList statisticsRow(const QString& name, const PoseVector& values, const P
     return cells;
 }
 
+QString statusText(SolveStatus status) {
+    switch (status) {
+    case SolveStatus::Converged:
+        return ReportWords::tr("converged");
+    case SolveStatus::IterationLimit:
+        return ReportWords::tr("iteration limit reached");
+    case SolveStatus::Singular:
+        return ReportWords::tr("singular");
+    case SolveStatus::NoSolution:
+        return ReportWords::tr("no pose of these lengths found");
+    case SolveStatus::InvalidInput:
+        return ReportWords::tr("invalid lengths");
+    case SolveStatus::OutsideModel:
+        return ReportWords::tr("outside the model's range");
+    case SolveStatus::OtherBranch:
+        return ReportWords::tr("pose of another assembly mode");
+    }
+    return {};
+}
+
 /// The standard deviation that the resolution explains over all samples together.
 PoseVector typicalSigma(const ErrorReport& report) {
     PoseVector squares = PoseVector::Zero();
@@ -155,10 +175,9 @@ void paintFirstPage(PdfPages& pages, const ErrorReport& report, const QDateTime&
 
 void paintSample(PdfPages& pages, const ErrorRow& row, const PoseDecimals& decimals) {
     const ForwardResult& solution = row.solution;
-    const auto status = toWord(solution.status);
     pages.line(ReportWords::tr("Sample %1").arg(row.number), 24.0,
                ReportWords::tr("%1, iterations: %2, residual: %3 mm, measurements averaged: %4")
-                   .arg(QString::fromUtf8(status.data(), static_cast<qsizetype>(status.size())))
+                   .arg(statusText(solution.status))
                    .arg(solution.iterations)
                    .arg(errorText(mmFromMetres(solution.residual)))
                    .arg(row.sample.measurements));

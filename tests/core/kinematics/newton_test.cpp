@@ -117,7 +117,7 @@ TEST(Newton, SaysWhyThereIsNoPose) {
             EXPECT_LT((legLengths(machine, result.pose) - lengths).norm(), 1e-9);
         }
     }
-    // So long that their squares are no numbers.
+    // So long that their products are no numbers.
     EXPECT_EQ(statusOf(newton, LegLengths::Constant(1e297)), SolveStatus::NoSolution);
     EXPECT_EQ(statusOf(newton, machine.homeLengths(), {{std::nan(""), 0, 0}, {}}), SolveStatus::InvalidInput);
 }
@@ -129,6 +129,52 @@ TEST(Newton, LengthsOfAPoseAreNeverSaidToHaveNone) {
         for (int i = 0; i < testing_support::samples(2000); ++i)
             ASSERT_NE(statusOf(newton, legLengths(machine, poses.next())), SolveStatus::NoSolution)
                 << machine.name << ", pose " << i;
+    }
+}
+
+TEST(Newton, IsNotDeceivedByLegsFarFromTheirTargets) {
+    // The step's right-hand side is a series that vanishes where a leg is 5^(1/2) times its target, too.
+    const PlatformGeometry machine = laboratory();
+    const Pose start{{0.012, -0.004, 0.040}, {0.0, 0.0, radiansFromDeg(5.0)}};
+    for (int leg = -1; leg < kLegCount; ++leg) {
+        LegLengths lengths = legLengths(machine, start);
+        for (int i = 0; i < kLegCount; ++i)
+            lengths[i] /= leg == -1 || leg == i ? std::sqrt(5.0) : 1.0;
+        for (const double tolerance : {1e-10, 1e-5, 5e-4}) {
+            const ForwardResult result = NewtonRaphson(machine, {tolerance, 50}).solve(lengths, start);
+            if (leg == -1 && result.isUsable()) { // a smaller machine's pose, but a true one
+                EXPECT_LE((legLengths(machine, result.pose) - lengths).norm(), 1.001 * tolerance);
+            } else {
+                EXPECT_FALSE(result.isUsable() || result.accurate) << leg << " " << toWord(result.status);
+            }
+        }
+    }
+}
+
+TEST(Newton, TellsTheResidualAlsoWhenItIsLarge) {
+    const PlatformGeometry machine = laboratory();
+    RandomPoses poses(0.06, radiansFromDeg(60.0), 48);
+    for (const double tolerance : {1e-6, 1e-4, 1e-3, 1e-2, 0.05}) {
+        const NewtonRaphson newton(machine, {tolerance, 50});
+        for (int i = 0; i < testing_support::samples(2000); ++i) {
+            const LegLengths lengths = legLengths(machine, poses.next());
+            const ForwardResult result = newton.solve(lengths, i % 2 == 0 ? Pose{} : poses.next());
+            if (!result.hasPose())
+                continue;
+            const double residual = (legLengths(machine, result.pose) - lengths).norm();
+            EXPECT_NEAR(result.residual, residual, 2e-4 * residual + 1e-15);
+            EXPECT_EQ(result.accurate, residual <= tolerance);
+        }
+    }
+}
+
+TEST(Newton, TakesNoStepWhereNoneIsAllowed) {
+    const PlatformGeometry machine = laboratory();
+    const NewtonRaphson none(machine, {1e-3, 0});
+    const LegLengths lengths = legLengths(machine, Pose{{0.001, 0.0, 0.001}, {}});
+    for (const Pose& start : {Pose{}, Pose{{1e-9, 0.0, 0.0}, {}}}) {
+        EXPECT_EQ(none.solve(lengths, start).status, SolveStatus::IterationLimit);
+        EXPECT_EQ(none.solve(lengths, start).iterations, 0);
     }
 }
 

@@ -43,7 +43,7 @@ TEST(EventList, EveryEventIsSaidAndTroubleSaysWhatToDo) {
     EXPECT_TRUE(eventText({EventCode::CommandRefused, 0.0, "run in stopped"})
                     .cause.endsWith(QStringLiteral("Stopped")));
     EXPECT_TRUE(eventText({EventCode::StoppedOnSolver, 0.0, "no-solution"})
-                    .cause.endsWith(QStringLiteral("No pose has these lengths")));
+                    .cause.endsWith(QStringLiteral("No pose of these lengths was found")));
     EXPECT_EQ(
         eventText({EventCode::StoppedOnFollowingError, 0.0, "leg 3 off by 25.1 mm, limit 24.0 mm"}).cause,
         QStringLiteral("Stopped: leg 3 is 25.1 mm from its set-point, more than 24.0 mm"));
