@@ -1049,6 +1049,14 @@ FSI：以小步沿支腿路径跟踪
         <source>Report files</source>
         <translation>报告文件</translation>
     </message>
+    <message>
+        <source>the connection was closed</source>
+        <translation>连接已关闭</translation>
+    </message>
+    <message>
+        <source>a stop or another motion came in between</source>
+        <translation>期间有停止或其他运动</translation>
+    </message>
 </context>
 <context>
     <name>hexapose::ReportWords</name>
@@ -1065,7 +1073,7 @@ FSI：以小步沿支腿路径跟踪
         <translation>样本</translation>
     </message>
     <message>
-        <source>no usable solution</source>
+        <source>no solution</source>
         <translation>无可用解</translation>
     </message>
     <message>
@@ -1391,6 +1399,10 @@ FSI：以小步沿支腿路径跟踪
         <source>Cannot run: no valid measurement arrives</source>
         <translation>无法运行：没有收到有效的测量值</translation>
     </message>
+    <message>
+        <source>Cannot run: press Clear first</source>
+        <translation>无法运行：请先按“清除”</translation>
+    </message>
 </context>
 <context>
     <name>hexapose::TargetPanel</name>
@@ -1469,6 +1481,10 @@ FSI：以小步沿支腿路径跟踪
     <message>
         <source>Put the measured pose into the fields; nothing moves</source>
         <translation>将实测位姿填入各栏；不会产生运动</translation>
+    </message>
+    <message>
+        <source>Reachable, but nothing is connected</source>
+        <translation>可到达，但尚未连接</translation>
     </message>
 </context>
 <context>

@@ -31,9 +31,18 @@ PoseField::PoseField(QWidget* parent) : QDoubleSpinBox(parent) {
     setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("-0000.000")) + 18);
     setProperty("wrong", false);
     connect(lineEdit(), &QLineEdit::textChanged, this, [this] {
-        setStyleProperty(*this, "wrong", !isComplete());
+        mark();
         emit edited();
     });
+}
+
+void PoseField::showValue(double value) {
+    setValue(value); // tells nobody of its new text
+    mark();
+}
+
+void PoseField::mark() {
+    setStyleProperty(*this, "wrong", !isComplete());
 }
 
 bool PoseField::isComplete() const {

@@ -12,6 +12,8 @@ class PoseField final : public QDoubleSpinBox {
     Q_OBJECT
 public:
     explicit PoseField(QWidget* parent = nullptr);
+    /// Unlike setValue() also when that is the value already, and another text is typed over it.
+    void showValue(double value);
     /// The text is a number as it stands.
     bool isComplete() const;
     QString textFromValue(double value) const override;
@@ -24,6 +26,9 @@ signals:
 
 protected:
     void wheelEvent(QWheelEvent* event) override;
+
+private:
+    void mark();
 };
 
 } // namespace hexapose

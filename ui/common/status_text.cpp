@@ -93,6 +93,14 @@ Tone stateTone(const Snapshot& snapshot) {
 }
 
 QString runHindrance(const Snapshot& snapshot) {
+    if (const QString link = linkHindrance(snapshot); !link.isEmpty()) {
+        return link;
+    }
+    const bool down = snapshot.state == RunState::Stopped || snapshot.state == RunState::Fault;
+    return down ? StatusText::tr("Cannot run: press Clear first") : QString();
+}
+
+QString linkHindrance(const Snapshot& snapshot) {
     if (snapshot.state == RunState::Disconnected) {
         return {};
     }

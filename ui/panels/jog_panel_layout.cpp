@@ -129,7 +129,7 @@ QString JogPanel::hindrance() const {
     if (!m_connected) {
         return tr("Connect first; a jog needs the drives on");
     }
-    if (const QString why = runHindrance(m_latest); !why.isEmpty()) {
+    if (const QString why = linkHindrance(m_latest); !why.isEmpty()) {
         return why;
     }
     switch (m_latest.state) {

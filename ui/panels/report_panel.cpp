@@ -48,7 +48,7 @@ void ReportPanel::setConnected(bool connected) {
     m_connected = connected;
     m_run->setEnabled(connected && !isRunning());
     if (!connected && m_sequence) {
-        cancel();
+        end(tr("the connection was closed"));
     }
 }
 
@@ -133,9 +133,13 @@ void ReportPanel::runList(std::vector<Pose> attitudes) {
 }
 
 void ReportPanel::cancel() {
+    end(tr("a stop or another motion came in between"));
+}
+
+void ReportPanel::end(const QString& why) {
     m_sequence.reset();
     m_run->setEnabled(m_connected);
-    showProgress();
+    m_progress->showText(tr("Ended early: %1").arg(why));
     emit finished(false);
 }
 

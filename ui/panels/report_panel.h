@@ -68,6 +68,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    void end(const QString& why);
     void build();
     QWidget* buildTop();
     QWidget* buildFolderRow();

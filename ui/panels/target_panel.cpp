@@ -139,6 +139,7 @@ void TargetPanel::setMode(MotionMode mode) {
 void TargetPanel::setConnected(bool connected) {
     m_connected = connected;
     updateRun();
+    showVerdict();
 }
 
 void TargetPanel::updateRun() {
@@ -190,7 +191,7 @@ void TargetPanel::showEvent(QShowEvent* event) {
 void TargetPanel::setTarget(const Pose& pose) {
     const PoseVector si = pose.toVector();
     for (int i = 0; i < 6; ++i) {
-        m_fields[static_cast<std::size_t>(i)]->setValue(shownCoordinate(i, si[i]));
+        m_fields[static_cast<std::size_t>(i)]->showValue(shownCoordinate(i, si[i]));
     }
     judge();
 }
@@ -250,6 +251,11 @@ void TargetPanel::showVerdict() {
     if (!m_hindrance.isEmpty()) {
         setTone(*m_lamp, Tone::Warn);
         m_validity->showText(m_hindrance);
+        return;
+    }
+    if (m_verdict && m_verdict->ok() && !m_connected) {
+        setTone(*m_lamp, Tone::Idle);
+        m_validity->showText(tr("Reachable, but nothing is connected"));
         return;
     }
     if (m_verdict) {

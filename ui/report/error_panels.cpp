@@ -56,7 +56,7 @@ Plot makePlot(const ErrorReport& report, const Panel& panel) {
     for (std::size_t k = 0; k < 3; ++k)
         plot.series.push_back({QString::fromUtf8(panel.names[k]), kColours[k], kMarkers[k], true, {}});
     Plot::Series failed{
-        ReportWords::tr("no usable solution"), QColor(0x33, 0x33, 0x33), Plot::Marker::Cross, false, {}};
+        ReportWords::tr("no solution"), QColor(0x33, 0x33, 0x33), Plot::Marker::Cross, false, {}};
     Plot::Band band{ReportWords::tr("largest predicted for %1 mm resolution")
                         .arg(QString::fromStdString(formatNumber(mmFromMetres(report.resolution)))),
                     QColor(0xEC, 0xEA, 0xE4),

@@ -100,6 +100,14 @@ TEST_F(ReportPanelTest, ListIsRunThroughOneByOne) {
     EXPECT_TRUE(button("Run report")->isEnabled());
 }
 
+TEST_F(ReportPanelTest, AnotherMotionEndsTheListAndThatIsTold) {
+    panel.runReport();
+    panel.cancel();
+    EXPECT_FALSE(panel.isRunning());
+    panel.add(snapshotAt(geometry, Pose{}, Pose{}, RunState::Enabled, now));
+    EXPECT_TRUE(spokenText(panel, QStringLiteral("Report progress")).contains(QStringLiteral("Ended early")));
+}
+
 TEST_F(ReportPanelTest, RefusedMoveEndsTheList) {
     QSignalSpy finished(&panel, &ReportPanel::finished);
     panel.runReport();

@@ -67,7 +67,9 @@ TEST_F(TargetPanelTest, RunIsDisabledWithItsReasonWhileTheStateIsNotKnown) {
     panel.setConnected(false);
     EXPECT_FALSE(button("Run")->isEnabled());
     EXPECT_TRUE(button("Run")->toolTip().contains(QStringLiteral("nothing is connected")));
-    EXPECT_EQ(validity(), "Reachable"); // the target is judged all the same
+    EXPECT_TRUE(validity().contains(QStringLiteral("nothing is connected")));
+    type("Target z", "200"); // the target is judged all the same
+    EXPECT_TRUE(validity().contains(QStringLiteral("above its maximum"))) << validity().toStdString();
 }
 
 TEST_F(TargetPanelTest, TheNameOfAPoseHasAnEditorOfThatName) {
@@ -78,7 +80,30 @@ TEST_F(TargetPanelTest, TheNameOfAPoseHasAnEditorOfThatName) {
     EXPECT_EQ(spokenText(box->lineEdit()), "high");
 }
 
+TEST_F(TargetPanelTest, AWrongFieldIsMarkedAsLongAsItIs) {
+    auto* z = qobject_cast<PoseField*>(findByName(panel, QStringLiteral("Target z")));
+    ASSERT_NE(z, nullptr);
+    type("Target z", "-");
+    EXPECT_TRUE(z->property("wrong").toBool());
+    panel.setTarget(Pose{}); // the value it had before
+    EXPECT_TRUE(z->isComplete());
+    EXPECT_FALSE(z->property("wrong").toBool());
+}
+
+TEST_F(TargetPanelTest, RunWaitsForClearAfterAStopOrFault) {
+    live(Pose{});
+    for (const RunState state : {RunState::Stopped, RunState::Fault}) {
+        panel.showSnapshot(snapshotAt(geometry, Pose{}, Pose{}, state, 1.0));
+        EXPECT_FALSE(button("Run")->isEnabled());
+        EXPECT_TRUE(validity().contains(QStringLiteral("Clear"))) << validity().toStdString();
+    }
+    panel.showSnapshot(snapshotAt(geometry, Pose{}, Pose{}, RunState::Disabled, 1.0));
+    EXPECT_TRUE(button("Run")->isEnabled());
+}
+
 TEST_F(TargetPanelTest, ValidityFollowsTheTypingAndSaysWhyNot) {
+    EXPECT_EQ(validity(), "Reachable, but nothing is connected");
+    panel.setConnected(true);
     EXPECT_EQ(validity(), "Reachable");
     type("Target z", "200");
     ASSERT_TRUE(panel.verdict());
