@@ -59,7 +59,7 @@ struct DeviceNotice {
     std::string text;
 };
 
-/// Frames and lines counted since the connection was opened.
+/// Frames and lines counted since the connection was opened; a port that went and came back is the same one.
 struct LinkCounters {
     std::uint64_t accepted = 0;      ///< good frames of every type, and listen-only lines
     std::uint64_t droppedCrc = 0;    ///< checksum wrong
@@ -71,6 +71,17 @@ struct LinkCounters {
     std::uint64_t missed = 0;         ///< frames the controller counted and we never saw
     std::uint64_t dropped() const {
         return droppedCrc + droppedLength + droppedFields + droppedNumber + droppedGarbage + droppedOrder;
+    }
+    LinkCounters& operator+=(const LinkCounters& other) {
+        accepted += other.accepted;
+        droppedCrc += other.droppedCrc;
+        droppedLength += other.droppedLength;
+        droppedFields += other.droppedFields;
+        droppedNumber += other.droppedNumber;
+        droppedGarbage += other.droppedGarbage;
+        droppedOrder += other.droppedOrder;
+        missed += other.missed;
+        return *this;
     }
 };
 

@@ -23,6 +23,7 @@ struct ReconnectingDevice::Impl {
     std::chrono::milliseconds retryEvery;
     std::unique_ptr<PlatformDevice> device;
     DeviceFeedback last; ///< without port: what was known of the controller, and when it was last heard
+    LinkCounters before; ///< of the ports that are gone
     Clock::time_point nextTry{};
     bool lossSaid = false;
 
@@ -61,11 +62,13 @@ DeviceFeedback ReconnectingDevice::exchange(const SetPoints& setPoints) {
     }
     const auto heardAt = impl.last.receivedAt;
     impl.last = impl.device->exchange(setPoints);
+    impl.last.counters += impl.before;
     if (impl.last.receivedAt < heardAt)
         impl.last.receivedAt = heardAt;
     impl.lossSaid = impl.last.link == LinkState::Lost;
     if (impl.lossSaid) {
         impl.device.reset();
+        impl.before = impl.last.counters;
         impl.nextTry = Impl::Clock::now() + impl.retryEvery;
     }
     return impl.last;

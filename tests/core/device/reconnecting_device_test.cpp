@@ -26,12 +26,14 @@ public:
             feedback.notices.push_back({DeviceNotice::Kind::LinkLost, {}, "unplugged"});
         else
             feedback.receivedAt = std::chrono::steady_clock::now();
+        feedback.counters.droppedCrc = ++m_dropped;
         return feedback;
     }
 
 private:
     std::vector<DeviceRequest>& m_seen;
     int m_left = 2;
+    std::uint64_t m_dropped = 0;
 };
 
 TEST(ReconnectingDevice, OpensAgainAndTellsEachLossOnce) {
@@ -47,16 +49,19 @@ TEST(ReconnectingDevice, OpensAgainAndTellsEachLossOnce) {
         0ms);
     std::string links;
     std::vector<std::string> notices;
+    std::vector<std::uint64_t> dropped;
     for (int i = 0; i < 11; ++i) {
         const DeviceFeedback feedback =
             device.exchange({std::nullopt, i == 7 ? DeviceRequest::Stop : DeviceRequest::None});
         links += feedback.link == LinkState::Lost ? 'L' : 'C';
+        dropped.push_back(feedback.counters.dropped());
         for (const DeviceNotice& notice : feedback.notices)
             notices.push_back(std::to_string(i) + notice.text);
         EXPECT_NE(feedback.receivedAt, std::chrono::steady_clock::time_point{}); // kept over a loss
     }
     EXPECT_EQ(links, "CCLCCLLLCCL");
     EXPECT_EQ(notices, (std::vector<std::string>{"2unplugged", "5unplugged", "10unplugged"}));
+    EXPECT_EQ(dropped, (std::vector<std::uint64_t>{1, 2, 3, 4, 5, 6, 6, 6, 7, 8, 9}));
     // What was asked for while there was no port is not made up for.
     EXPECT_EQ(seen, std::vector<DeviceRequest>(9, DeviceRequest::None));
 }
