@@ -65,9 +65,9 @@ struct LaneLegs : LaneSteps<D> {
         alignas(32) static constexpr std::int64_t kFrom[2][4] = {{1, 2, 0, 0}, {2, 0, 1, 1}};
         return hn::TableLookupLanes(v, hn::SetTableIndices(D(), kFrom[By - 1]));
     }
-    static HWY_INLINE V firstInAll(V v) {
-        alignas(32) static constexpr std::int64_t kFrom[4] = {};
-        return hn::TableLookupLanes(v, hn::SetTableIndices(D(), kFrom));
+    static HWY_INLINE V laneInAll(V v, int lane) {
+        alignas(32) static constexpr std::int64_t kFrom[3][4] = {{}, {1, 1, 1, 1}, {2, 2, 2, 2}};
+        return hn::TableLookupLanes(v, hn::SetTableIndices(D(), kFrom[lane]));
     }
     /// a, b, c and c once more, each the same in all lanes.
     static HWY_INLINE V sideBySide(V a, V b, V c) { return hn::ConcatUpperLower(D(), c, hn::OddEven(b, a)); }
@@ -96,7 +96,7 @@ struct LaneLegs : LaneSteps<D> {
         for (int i = 0; i < 2; ++i)
             out.inverse2[i] = hn::Div(set(1.0), out.l2[i]);
         const V pairs = hn::Mul(lengths.first, lengths.second);
-        out.product = firstInAll(hn::Mul(pairs, hn::Mul(turned<1>(pairs), turned<2>(pairs))));
+        out.product = laneInAll(hn::Mul(pairs, hn::Mul(turned<1>(pairs), turned<2>(pairs))), 0);
         return out;
     }
 
@@ -138,7 +138,7 @@ struct LaneLegs : LaneSteps<D> {
         }
         for (int k = 0; k < 3; ++k)
             out[k] = minor(a[(k + 1) % 3], b[(k + 2) % 3], a[(k + 2) % 3], b[(k + 1) % 3]);
-        return firstInAll(dot3(rows[0], out[0], rows[1], out[1], rows[2], out[2]));
+        return laneInAll(dot3(rows[0], out[0], rows[1], out[1], rows[2], out[2]), 0);
     }
 
     /// As in LaneSteps. Both triples meet in the products of a leg of the second with the adjugate of the
@@ -184,10 +184,6 @@ struct LaneLegs : LaneSteps<D> {
     static HWY_INLINE V squared(const Lengths& error) {
         return sum(
             withoutRepeated(hn::MulAdd(error.first, error.first, hn::Mul(error.second, error.second))));
-    }
-    static HWY_INLINE V laneInAll(V v, int lane) {
-        alignas(32) static constexpr std::int64_t kFrom[3][4] = {{}, {1, 1, 1, 1}, {2, 2, 2, 2}};
-        return hn::TableLookupLanes(v, hn::SetTableIndices(D(), kFrom[lane]));
     }
     static HWY_INLINE Step stepFromHome(const LaneMachine& machine, const Lengths& error) {
         V t = hn::Zero(D()), w = t;
