@@ -1488,7 +1488,7 @@ FSI：以小步沿支腿路径跟踪
     </message>
 </context>
 <context>
-    <name>hexapose::VerdictText</name>
+    <name>hexapose::MotionCheckText</name>
     <message>
         <source>Leg %1 would be %2 mm, above its maximum %3 mm (by %4 mm)</source>
         <translation>支腿 %1 将为 %2 mm，超过上限 %3 mm（超出 %4 mm）</translation>

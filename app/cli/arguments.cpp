@@ -4,9 +4,9 @@
 #include "app/cli/arguments.h"
 
 #include "app/common/directories.h"
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
 #include "core/geometry/geometry_file.h"
-#include "core/geometry/input_error.h"
-#include "core/geometry/number_text.h"
 
 #include <cmath>
 #include <cstdio>

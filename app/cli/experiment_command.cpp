@@ -9,10 +9,10 @@
 #include "app/cli/reproduce/exhibit_text.h"
 #include "app/cli/reproduce/reproduction_pdf.h"
 #include "app/cli/solver_choice.h"
-#include "core/geometry/input_error.h"
-#include "core/geometry/number_text.h"
-#include "core/geometry/units.h"
-#include "ui/report/picture_files.h"
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
+#include "core/base/units.h"
+#include "ui/plot/picture_files.h"
 
 #include <cstdio>
 #include <filesystem>

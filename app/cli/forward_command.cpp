@@ -5,11 +5,11 @@
 #include "app/cli/command.h"
 #include "app/cli/number_rows.h"
 #include "app/cli/solver_choice.h"
-#include "core/geometry/input_error.h"
-#include "core/geometry/number_text.h"
-#include "core/geometry/units.h"
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
+#include "core/base/unit_text.h"
+#include "core/base/units.h"
 #include "core/kinematics/pose_accuracy.h"
-#include "core/record/unit_text.h"
 
 #include <cmath>
 #include <cstdio>

@@ -4,10 +4,10 @@
 #include "app/cli/arguments.h"
 #include "app/cli/command.h"
 #include "app/cli/number_rows.h"
-#include "core/control/limits.h"
-#include "core/geometry/units.h"
+#include "core/base/unit_text.h"
+#include "core/base/units.h"
 #include "core/kinematics/inverse_kinematics.h"
-#include "core/record/unit_text.h"
+#include "core/motion/limits.h"
 
 #include <cstdio>
 #include <limits>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "app/cli/command.h"
-#include "core/geometry/input_error.h"
+#include "core/base/input_error.h"
 
 #include <QCoreApplication>
 #include <QGuiApplication>

@@ -3,7 +3,7 @@
 
 #include "app/cli/number_rows.h"
 
-#include "core/geometry/number_text.h"
+#include "core/base/number_text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/record/csv_table.h"
+#include "core/base/csv_table.h"
 
 #include <Eigen/Core>
 

@@ -8,8 +8,8 @@
 #include "app/cli/reproduce/exhibits.h"
 #include "app/cli/reproduce/reproduction_pdf.h"
 #include "app/cli/solver_choice.h"
-#include "core/geometry/input_error.h"
-#include "ui/report/picture_files.h"
+#include "core/base/input_error.h"
+#include "ui/plot/picture_files.h"
 
 #include <cstdio>
 #include <filesystem>

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "app/cli/arguments.h"
-#include "app/cli/attitude_run.h"
 #include "app/cli/command.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/pose_run.h"
 #include "app/cli/solver_choice.h"
 #include "app/common/device_factory.h"
 #include "app/common/port_check.h"
-#include "core/control/limits.h"
-#include "core/geometry/input_error.h"
-#include "core/geometry/number_text.h"
-#include "core/geometry/units.h"
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
+#include "core/base/units.h"
+#include "core/motion/limits.h"
 #include "core/record/log_metadata.h"
 #include "core/record/pose_list.h"
 #include "core/report/error_report.h"
@@ -38,16 +38,16 @@ void checkTargets(const PlatformGeometry& platform, const PoseEnvelope& envelope
     MotionLimits limits = motionLimits(platform, std::nullopt, std::nullopt);
     limits.envelope = envelope;
     for (std::size_t i = 0; i < targets.size(); ++i) {
-        const Verdict verdict = checkPose(platform, limits, targets[i]);
-        if (verdict.ok())
+        const MotionCheck check = checkPose(platform, limits, targets[i]);
+        if (check.ok())
             continue;
-        std::string cause = "attitude " + std::to_string(i + 1) + ": " + toWords(verdict);
-        if (verdict.axis > 3)
-            cause += " (" + formatFixed(degFromRadians(verdict.value), 3) + " against " +
-                     formatNumber(degFromRadians(verdict.bound)) + " deg)";
-        else if (verdict.leg > 0 || verdict.axis > 0)
-            cause += " (" + formatFixed(mmFromMetres(verdict.value), 3) + " against " +
-                     formatNumber(mmFromMetres(verdict.bound)) + " mm)";
+        std::string cause = "attitude " + std::to_string(i + 1) + ": " + toWords(check);
+        if (check.axis > 3)
+            cause += " (" + formatFixed(degFromRadians(check.value), 3) + " against " +
+                     formatNumber(degFromRadians(check.bound)) + " deg)";
+        else if (check.leg > 0 || check.axis > 0)
+            cause += " (" + formatFixed(mmFromMetres(check.value), 3) + " against " +
+                     formatNumber(mmFromMetres(check.bound)) + " mm)";
         throw InputError(file, cause);
     }
 }
@@ -189,8 +189,8 @@ int runCommand(const QStringList& words) {
         reportDirectory->keep();
 
     catchInterrupts();
-    AttitudeRun run(*device, platform, *chosen.solver, log, targets,
-                    {*mode, percent / 100.0, envelope, sweep, arguments.has("clear")});
+    PoseRun run(*device, platform, *chosen.solver, log, targets,
+                {*mode, percent / 100.0, envelope, sweep, arguments.has("clear")});
     run.run(interrupted);
 
     const ErrorReport report = makeErrorReport(platform, *chosen.solver, run.samples());

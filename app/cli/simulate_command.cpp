@@ -3,10 +3,10 @@
 
 #include "app/cli/arguments.h"
 #include "app/cli/command.h"
+#include "core/base/input_error.h"
+#include "core/base/units.h"
 #include "core/device/byte_channel.h"
-#include "core/device/virtual_platform_server.h"
-#include "core/geometry/input_error.h"
-#include "core/geometry/units.h"
+#include "core/device/simulation/virtual_platform_server.h"
 
 #include <csignal>
 #include <cstdio>

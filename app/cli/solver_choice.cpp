@@ -4,12 +4,12 @@
 #include "app/cli/solver_choice.h"
 
 #include "app/common/directories.h"
+#include "core/base/input_error.h"
+#include "core/base/units.h"
 #include "core/finite_step/finite_step_solver.h"
-#include "core/geometry/input_error.h"
-#include "core/geometry/units.h"
 #include "core/kinematics/forward_methods.h"
-#include "core/kinematics/model_cache.h"
-#include "core/kinematics/polynomial_file.h"
+#include "core/kinematics/regression/model_cache.h"
+#include "core/kinematics/regression/polynomial_file.h"
 
 #include <cmath>
 #include <cstdio>

@@ -8,11 +8,11 @@
 #include "app/cli/solver_choice.h"
 #include "app/cli/track_drive.h"
 #include "app/common/directories.h"
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
 #include "core/finite_step/mechanism_file.h"
 #include "core/finite_step/motion_tracking.h"
-#include "core/geometry/input_error.h"
-#include "core/geometry/number_text.h"
-#include "ui/report/picture_files.h"
+#include "ui/plot/picture_files.h"
 
 #include <cstdio>
 #include <filesystem>

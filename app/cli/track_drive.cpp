@@ -4,10 +4,10 @@
 #include "app/cli/track_drive.h"
 
 #include "app/cli/number_rows.h"
-#include "core/geometry/input_error.h"
-#include "core/geometry/number_text.h"
-#include "core/geometry/units.h"
-#include "core/record/csv_table.h"
+#include "core/base/csv_table.h"
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
+#include "core/base/units.h"
 
 #include <algorithm>
 #include <array>

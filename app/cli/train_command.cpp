@@ -4,12 +4,12 @@
 #include "app/cli/arguments.h"
 #include "app/cli/command.h"
 #include "app/cli/solver_choice.h"
-#include "core/geometry/input_error.h"
-#include "core/geometry/number_text.h"
-#include "core/geometry/text_file.h"
-#include "core/geometry/units.h"
-#include "core/kinematics/polynomial_file.h"
-#include "core/kinematics/polynomial_training.h"
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
+#include "core/base/text_file.h"
+#include "core/base/units.h"
+#include "core/kinematics/regression/polynomial_file.h"
+#include "core/kinematics/regression/polynomial_training.h"
 
 #include <cstdio>
 #include <filesystem>

@@ -3,10 +3,10 @@
 
 #include "app/common/device_factory.h"
 
-#include "core/device/line_device.h"
+#include "core/device/line/line_device.h"
 #include "core/device/reconnecting_device.h"
 #include "core/device/serial/serial_channel.h"
-#include "core/device/virtual_platform_server.h"
+#include "core/device/simulation/virtual_platform_server.h"
 
 #include <algorithm>
 

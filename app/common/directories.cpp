@@ -3,7 +3,7 @@
 
 #include "app/common/directories.h"
 
-#include "core/geometry/input_error.h"
+#include "core/base/input_error.h"
 
 #include <cstdlib>
 #include <system_error>

@@ -5,7 +5,7 @@
 #include "core/finite_step/mechanism.h"
 #include "core/finite_step/rigid_fit.h"
 #include "core/kinematics/linear_system.h"
-#include "core/kinematics/newton_raphson.h"
+#include "core/kinematics/newton/newton_raphson.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/finite_step/mechanism.h"
 
-#include "core/geometry/input_error.h"
+#include "core/base/input_error.h"
 
 #include <Eigen/Geometry>
 

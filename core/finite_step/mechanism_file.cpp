@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "core/finite_step/mechanism_file.h"
 
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
+#include "core/base/text_file.h"
+#include "core/base/toml_values.h"
+#include "core/base/units.h"
 #include "core/finite_step/mechanism_checks.h"
-#include "core/geometry/input_error.h"
-#include "core/geometry/number_text.h"
-#include "core/geometry/text_file.h"
-#include "core/geometry/toml_values.h"
-#include "core/geometry/units.h"
 
 #include <algorithm>
 #include <cctype>

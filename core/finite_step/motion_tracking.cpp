@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "core/finite_step/motion_tracking.h"
 
+#include "core/base/input_error.h"
 #include "core/finite_step/node_path.h"
 #include "core/finite_step/pose_errors.h"
-#include "core/geometry/input_error.h"
 
 #include <limits>
 #include <utility>

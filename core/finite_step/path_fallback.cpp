@@ -3,7 +3,7 @@
 #include "core/finite_step/path_fallback.h"
 
 #include "core/kinematics/inverse_kinematics.h"
-#include "core/kinematics/newton_raphson.h"
+#include "core/kinematics/newton/newton_raphson.h"
 #include "core/kinematics/solver_checks.h"
 
 #include <utility>

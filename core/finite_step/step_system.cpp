@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "core/finite_step/step_system.h"
 
+#include "core/base/input_error.h"
 #include "core/finite_step/dense_solve.h"
 #include "core/finite_step/rank_check.h"
-#include "core/geometry/input_error.h"
 #include "core/geometry/singular_values.h"
 
 #include <Eigen/Geometry>

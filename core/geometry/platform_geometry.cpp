@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "core/geometry/platform_geometry.h"
 
-#include "core/geometry/fnv1a.h"
-#include "core/geometry/number_text.h"
+#include "core/base/fnv1a.h"
+#include "core/base/number_text.h"
+#include "core/base/units.h"
 #include "core/geometry/singular_values.h"
-#include "core/geometry/units.h"
 
 #include <array>
 #include <charconv>

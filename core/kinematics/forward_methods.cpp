@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/kinematics/forward_methods.h"
 
-#include "core/geometry/input_error.h"
-#include "core/kinematics/mpr_newton.h"
+#include "core/base/input_error.h"
+#include "core/kinematics/regression/mpr_newton.h"
 
 #include <algorithm>
 #include <string>

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/kinematics/forward_solver.h"
-#include "core/kinematics/newton_raphson.h"
-#include "core/kinematics/polynomial_model.h"
+#include "core/kinematics/newton/newton_raphson.h"
+#include "core/kinematics/regression/polynomial_model.h"
 
 #include <functional>
 #include <memory>

@@ -5,7 +5,7 @@
 #include "core/geometry/platform_geometry.h"
 #include "core/geometry/pose.h"
 #include "core/kinematics/linear_system.h"
-#include "core/kinematics/newton_lanes.h"
+#include "core/kinematics/vector/newton_lanes.h"
 
 #include <Eigen/Core>
 

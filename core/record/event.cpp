@@ -3,7 +3,7 @@
 
 #include "core/record/event.h"
 
-#include "core/geometry/number_text.h"
+#include "core/base/number_text.h"
 
 #include <algorithm>
 #include <array>

@@ -21,7 +21,7 @@ enum class EventCode {
     Enabled,
     Disabled,
     MoveStarted, ///< value: planned duration, s
-    MoveRefused, ///< detail: the verdict's word form, e.g. "leg 3 above max_mm"
+    MoveRefused, ///< detail: the check's word form, e.g. "leg 3 above max_mm"
     Settled,     ///< value: s since the move started
     NotSettled,  ///< value: s waited
     StopRequested,
@@ -41,12 +41,12 @@ enum class EventCode {
     PreparationFailed,       ///< a reference or enable before a move did not come about; detail: which
     StoppedOnFollowingError, ///< a leg is too far from its set-point; detail: leg, gap and limit
     StoppedOnNoEcho,         ///< set-points go unaccepted; value: milliseconds since the first of them
-    StoppedOnLimits,         ///< a set-point would leave a stroke; detail: the verdict's word form
+    StoppedOnLimits,         ///< a set-point would leave a stroke; detail: the check's word form
     StoppedOnNewIdentity,    ///< the controller gave another name or other limits; detail: name and limits
     StoppedAfterLoss,        ///< the link is back after a loss in mid-move: a stop was sent
     DisableUnconfirmed,      ///< the closing ended without a word that the drives are off
     JogStarted,
-    JogLimited,    ///< a jog came to rest before a limit; detail: the verdict's word form
+    JogLimited,    ///< a jog came to rest before a limit; detail: the check's word form
     SolverChanged, ///< from this cycle on; detail: its word, then the fingerprint of its model
 };
 

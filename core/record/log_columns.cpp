@@ -3,11 +3,11 @@
 
 #include "core/record/log_columns.h"
 
-#include "core/geometry/number_text.h"
-#include "core/geometry/units.h"
-#include "core/record/csv_table.h"
-#include "core/record/unit_text.h"
-#include "core/record/utc_text.h"
+#include "core/base/csv_table.h"
+#include "core/base/number_text.h"
+#include "core/base/unit_text.h"
+#include "core/base/units.h"
+#include "core/base/utc_text.h"
 
 #include <chrono>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: MIT
 
-#include "core/geometry/input_error.h"
+#include "core/base/input_error.h"
 #include "core/record/log_writer.h"
 
 #include <array>

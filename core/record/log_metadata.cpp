@@ -3,10 +3,10 @@
 
 #include "core/record/log_metadata.h"
 
+#include "core/base/csv_reader.h"
+#include "core/base/input_error.h"
+#include "core/base/utc_text.h"
 #include "core/geometry/geometry_file.h"
-#include "core/geometry/input_error.h"
-#include "core/record/csv_reader.h"
-#include "core/record/utc_text.h"
 
 #include <toml++/toml.h>
 

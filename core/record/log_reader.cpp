@@ -3,12 +3,12 @@
 
 #include "core/record/log_reader.h"
 
-#include "core/geometry/input_error.h"
-#include "core/geometry/number_text.h"
-#include "core/geometry/units.h"
-#include "core/record/csv_reader.h"
+#include "core/base/csv_reader.h"
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
+#include "core/base/units.h"
+#include "core/base/utc_text.h"
 #include "core/record/log_metadata.h"
-#include "core/record/utc_text.h"
 
 #include <array>
 #include <cmath>

@@ -3,8 +3,8 @@
 
 #include "core/record/log_writer.h"
 
-#include "core/geometry/input_error.h"
-#include "core/record/append_file.h"
+#include "core/base/append_file.h"
+#include "core/base/input_error.h"
 #include "core/record/log_columns.h"
 
 #include <algorithm>

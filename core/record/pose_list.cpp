@@ -3,10 +3,10 @@
 
 #include "core/record/pose_list.h"
 
-#include "core/geometry/input_error.h"
-#include "core/geometry/number_text.h"
-#include "core/geometry/units.h"
-#include "core/record/csv_table.h"
+#include "core/base/csv_table.h"
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
+#include "core/base/units.h"
 
 #include <array>
 #include <cmath>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: MIT
 
-#include "core/geometry/number_text.h"
-#include "core/geometry/units.h"
-#include "core/record/unit_text.h"
+#include "core/base/number_text.h"
+#include "core/base/unit_text.h"
+#include "core/base/units.h"
 #include "core/report/error_report.h"
 
 #include <array>

@@ -62,11 +62,11 @@ std::string formatErrorCsv(const ErrorReport& report);
 /// `count` poses, seeded, uniform within +-range, every one inside the strokes and clear of singularities
 /// (drawn again otherwise). Ranges in m and rad. Throws InputError for a range that is negative or not
 /// finite, and when the strokes leave nothing of it.
-std::vector<Pose> randomAttitudes(const PlatformGeometry& geometry, int count, double offsetRange,
-                                  double angleRange, std::uint64_t seed);
+std::vector<Pose> randomPoses(const PlatformGeometry& geometry, int count, double offsetRange,
+                              double angleRange, std::uint64_t seed);
 
 /// The default list: within +-10 mm and +-10 deg, or the half of both, the half of that ... where a machine's
 /// strokes leave nothing of them. Throws InputError for a machine that can hardly move from home.
-std::vector<Pose> defaultAttitudes(const PlatformGeometry& geometry, int count, std::uint64_t seed);
+std::vector<Pose> defaultPoses(const PlatformGeometry& geometry, int count, std::uint64_t seed);
 
 } // namespace hexapose

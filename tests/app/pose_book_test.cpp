@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/operator/pose_book.h"
-#include "core/geometry/units.h"
+#include "app/console/pose_book.h"
+#include "core/base/units.h"
 
 #include <QSettings>
 #include <QTemporaryDir>

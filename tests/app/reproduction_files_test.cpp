@@ -6,10 +6,10 @@
 #include "app/cli/reproduce/exhibit_text.h"
 #include "app/cli/reproduce/exhibits.h"
 #include "app/cli/reproduce/reproduction_pdf.h"
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
+#include "core/base/text_file.h"
 #include "core/geometry/geometry_file.h"
-#include "core/geometry/input_error.h"
-#include "core/geometry/number_text.h"
-#include "core/geometry/text_file.h"
 
 #include <QImage>
 #include <QSvgRenderer>

@@ -78,7 +78,7 @@ TEST(SourceRules, ReversedArrowIsToldWithItsLine) {
         including("core/geometry/pose.h", "\"core/kinematics/jacobian.h\""),
         ElementsAre("core/geometry/pose.h:2: core/geometry must not include core/kinematics/jacobian.h"));
     // Written otherwise it is the same arrow.
-    EXPECT_THAT(includeViolations("core/record/a.cpp", "  #  include <core/control/limits.h> // why\n"),
+    EXPECT_THAT(includeViolations("core/record/a.cpp", "  #  include <core/motion/limits.h> // why\n"),
                 ElementsAre(HasSubstr("core/record must not include")));
 }
 
@@ -103,14 +103,14 @@ INSTANTIATE_TEST_SUITE_P(
         Arrow{"core/kinematics/a.cpp", "\"core/device/byte_channel.h\"", false},
         Arrow{"core/kinematics/a.cpp", "\"core/finite_step/leg_path.h\"", false},
         Arrow{"core/finite_step/a.cpp", "\"core/kinematics/jacobian.h\"", true},
-        Arrow{"core/finite_step/a.cpp", "\"core/record/csv_table.h\"", false},
+        Arrow{"core/finite_step/a.cpp", "\"core/record/snapshot.h\"", false},
         Arrow{"core/device/a.cpp", "\"core/record/snapshot.h\"", false},
-        // A folder's row does not open the room inside it.
+        // A folder's row does not open the layer inside it.
         Arrow{"core/device/a.cpp", "\"core/device/serial/serial_channel.h\"", false},
         Arrow{"core/device/serial/a.cpp", "\"core/device/byte_channel.h\"", true},
         Arrow{"core/record/a.h", "\"core/report/error_report.h\"", false},
-        Arrow{"core/control/a.h", "\"core/record/snapshot.h\"", true},
-        Arrow{"core/control/a.h", "\"core/report/error_report.h\"", false},
+        Arrow{"core/machine/a.h", "\"core/record/snapshot.h\"", true},
+        Arrow{"core/machine/a.h", "\"core/report/error_report.h\"", false},
         Arrow{"core/report/a.h", "\"ui/report/report_export.h\"", false},
         Arrow{"core/geometry/a.cpp", "<QString>", false}, Arrow{"core/geometry/a.cpp", "<qglobal.h>", false},
         Arrow{"core/geometry/a.cpp", "<QtCore/QObject>", false},
@@ -120,35 +120,35 @@ INSTANTIATE_TEST_SUITE_P(
         Arrow{"core/record/log_writer.cpp", "<toml++/toml.h>", true},
         Arrow{"core/geometry/geometry_file.h", "<toml++/toml.h>", false},
         Arrow{"core/geometry/pose.cpp", "<toml++/toml.h>", false},
-        Arrow{"core/geometry/toml_values.h", "<toml++/toml.h>", true},
-        Arrow{"core/finite_step/mechanism_file.cpp", "\"core/geometry/toml_values.h\"", true},
-        Arrow{"core/finite_step/mechanism.cpp", "\"core/geometry/toml_values.h\"", false},
-        Arrow{"ui/panels/a.cpp", "<toml++/toml.h>", false},
+        Arrow{"core/base/toml_values.h", "<toml++/toml.h>", true},
+        Arrow{"core/finite_step/mechanism_file.cpp", "\"core/base/toml_values.h\"", true},
+        Arrow{"core/finite_step/mechanism.cpp", "\"core/base/toml_values.h\"", false},
+        Arrow{"ui/console/motion/a.cpp", "<toml++/toml.h>", false},
         Arrow{"ui/charts/a.h", "\"core/record/snapshot.h\"", true},
-        Arrow{"ui/charts/a.h", "\"core/control/control_loop.h\"", false},
+        Arrow{"ui/charts/a.h", "\"core/machine/control_loop.h\"", false},
         Arrow{"ui/charts/a.h", "\"core/device/platform_device.h\"", false},
         Arrow{"ui/session/a.h", "\"core/device/platform_device.h\"", true},
-        Arrow{"ui/session/a.h", "\"core/device/line_device.h\"", false},
-        Arrow{"ui/session/a.h", "\"ui/panels/target_panel.h\"", false},
-        Arrow{"ui/panels/a.h", "\"core/device/serial/serial_ports.h\"", true},
-        Arrow{"ui/panels/a.h", "\"core/device/serial/serial_channel.h\"", false},
-        Arrow{"ui/panels/a.h", "\"app/common/directories.h\"", false},
+        Arrow{"ui/session/a.h", "\"core/device/line/line_device.h\"", false},
+        Arrow{"ui/session/a.h", "\"ui/console/motion/target_panel.h\"", false},
+        Arrow{"ui/console/motion/a.h", "\"core/device/serial/serial_ports.h\"", true},
+        Arrow{"ui/console/motion/a.h", "\"core/device/serial/serial_channel.h\"", false},
+        Arrow{"ui/console/motion/a.h", "\"app/common/directories.h\"", false},
         Arrow{"app/cli/a.cpp", "\"ui/report/report_export.h\"", true},
         Arrow{"app/cli/a.cpp", "\"ui/session/session.h\"", false},
         Arrow{"app/common/a.cpp", "\"ui/session/session.h\"", false},
-        Arrow{"app/operator/main.cpp", "\"ui/panels/a.h\"", true},
-        Arrow{"ui/panels/a.cpp", "\"tests/support/a.h\"", false},
+        Arrow{"app/console/main.cpp", "\"ui/console/motion/a.h\"", true},
+        Arrow{"ui/console/motion/a.cpp", "\"tests/support/a.h\"", false},
         Arrow{"core/geometry/a.cpp", "\"../kinematics/jacobian.h\"", false},
         Arrow{"core/geometry/a.cpp", "\"pose.h\"", false}, Arrow{"ui/charts/a.cpp", "\"a.moc\"", false},
         Arrow{"core/novelty/a.cpp", "<vector>", false}, Arrow{"core/a.cpp", "<vector>", false}));
 
 TEST(SourceRules, EveryAllowedFolderHasARowItself) {
-    for (const Room& room : rooms()) {
-        for (const std::string_view allowed : room.mayInclude) {
+    for (const Layer& layer : layers()) {
+        for (const std::string_view allowed : layer.mayInclude) {
             const bool known =
-                allowed.ends_with(".h") || std::any_of(rooms().begin(), rooms().end(),
-                                                       [&](const Room& r) { return r.folder == allowed; });
-            EXPECT_TRUE(known) << room.folder << " -> " << allowed;
+                allowed.ends_with(".h") || std::any_of(layers().begin(), layers().end(),
+                                                       [&](const Layer& r) { return r.folder == allowed; });
+            EXPECT_TRUE(known) << layer.folder << " -> " << allowed;
         }
     }
 }

@@ -12,12 +12,13 @@ namespace {
 
 constexpr long longestSource = 400; // lines
 
-const Room* roomOf(std::string_view path) {
-    const Room* best = nullptr;
-    for (const Room& room : rooms()) {
-        const bool inside = path.starts_with(room.folder) && path.substr(room.folder.size()).starts_with('/');
-        if (inside && (best == nullptr || room.folder.size() > best->folder.size())) {
-            best = &room;
+const Layer* layerOf(std::string_view path) {
+    const Layer* best = nullptr;
+    for (const Layer& layer : layers()) {
+        const bool inside =
+            path.starts_with(layer.folder) && path.substr(layer.folder.size()).starts_with('/');
+        if (inside && (best == nullptr || layer.folder.size() > best->folder.size())) {
+            best = &layer;
         }
     }
     return best;
@@ -27,12 +28,12 @@ bool inTopFolder(std::string_view path, std::string_view folder) {
     return path.starts_with(folder) && path.substr(folder.size()).starts_with('/');
 }
 
-bool mayInclude(const Room& room, std::string_view included) {
-    const Room* target = roomOf(included);
-    if (target == &room) {
+bool mayInclude(const Layer& layer, std::string_view included) {
+    const Layer* target = layerOf(included);
+    if (target == &layer) {
         return true;
     }
-    return std::any_of(room.mayInclude.begin(), room.mayInclude.end(), [&](std::string_view allowed) {
+    return std::any_of(layer.mayInclude.begin(), layer.mayInclude.end(), [&](std::string_view allowed) {
         return included == allowed || (target != nullptr && target->folder == allowed);
     });
 }
@@ -45,25 +46,24 @@ bool isQtHeader(std::string_view header) {
 /// TOML is for the sources that read and write files; their headers show our own types.
 bool mayUseToml(std::string_view path) {
     static const std::regex pattern("core/.*/([a-z0-9_]+_file|log_[a-z0-9_]+)\\.cpp");
-    return path.starts_with("core/geometry/toml_values.") ||
-           std::regex_match(path.begin(), path.end(), pattern);
+    return path.starts_with("core/base/toml_values.") || std::regex_match(path.begin(), path.end(), pattern);
 }
 
-std::optional<std::string> judge(const Room& room, std::string_view path, std::string_view header,
+std::optional<std::string> judge(const Layer& layer, std::string_view path, std::string_view header,
                                  bool quoted) {
     const std::string name(header);
-    if (isQtHeader(header) && !room.mayUseQt) {
-        return std::string(room.folder) + " must not use Qt: " + name;
+    if (isQtHeader(header) && !layer.mayUseQt) {
+        return std::string(layer.folder) + " must not use Qt: " + name;
     }
-    if ((header.starts_with("toml") || header == "core/geometry/toml_values.h") && !mayUseToml(path)) {
+    if ((header.starts_with("toml") || header == "core/base/toml_values.h") && !mayUseToml(path)) {
         return "only the sources of files (*_file.cpp, log_*.cpp) read TOML: " + name;
     }
     const bool ours = inTopFolder(header, "core") || inTopFolder(header, "ui") ||
                       inTopFolder(header, "app") || inTopFolder(header, "tests");
     if (ours) {
-        return mayInclude(room, header)
+        return mayInclude(layer, header)
                    ? std::nullopt
-                   : std::optional(std::string(room.folder) + " must not include " + name);
+                   : std::optional(std::string(layer.folder) + " must not include " + name);
     }
     // A shorter name would get round the table. moc's output is compiled beside the sources, not included.
     if (quoted) {
@@ -80,8 +80,8 @@ std::string at(std::string_view path, long line, const std::string& cause) {
 
 std::vector<std::string> includeViolations(std::string_view path, std::string_view text) {
     static const std::regex pattern(R"(^\s*#\s*include\s*([<"])([^>"]+)[>"].*)");
-    const Room* room = roomOf(path);
-    if (room == nullptr) {
+    const Layer* layer = layerOf(path);
+    if (layer == nullptr) {
         return {at(path, 1, "this folder has no row in the table of allowed includes")};
     }
     std::vector<std::string> found;
@@ -92,7 +92,7 @@ std::vector<std::string> includeViolations(std::string_view path, std::string_vi
         if (!std::regex_match(line, match, pattern)) {
             continue;
         }
-        if (const auto cause = judge(*room, path, match[2].str(), match[1].str() == "\"")) {
+        if (const auto cause = judge(*layer, path, match[2].str(), match[1].str() == "\"")) {
             found.push_back(at(path, number, *cause));
         }
     }
@@ -121,11 +121,11 @@ std::vector<std::string> sizeViolations(std::string_view path, std::string_view 
 }
 
 std::vector<std::string> linkViolations(std::string_view path, std::string_view text) {
-    const Room* room = roomOf(path);
-    if (room == nullptr || room->mayUseQt || text.find("Qt6::") == std::string_view::npos) {
+    const Layer* layer = layerOf(path);
+    if (layer == nullptr || layer->mayUseQt || text.find("Qt6::") == std::string_view::npos) {
         return {};
     }
-    return {at(path, 1, std::string(room->folder) + " must not link Qt")};
+    return {at(path, 1, std::string(layer->folder) + " must not link Qt")};
 }
 
 } // namespace hexapose::architecture

@@ -10,14 +10,14 @@ namespace hexapose::architecture {
 
 /// A folder of sources and what it may include beside itself: folders (with all below them that have no row
 /// of their own) or single headers, as written after #include.
-struct Room {
+struct Layer {
     std::string_view folder;
     std::vector<std::string_view> mayInclude;
     bool mayUseQt = false;
 };
 
 /// The one table of allowed arrows. A folder without a row is an error, so that it gets one on purpose.
-const std::vector<Room>& rooms();
+const std::vector<Layer>& layers();
 
 /// What is wrong with one source, as "path:line: cause". path is relative to the top and decides which rules
 /// hold; nothing is read from the disk.

@@ -4,7 +4,7 @@
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "tests/bench/fma_peak.cpp"
 #include "tests/bench/fma_peak.h"
-#include "core/kinematics/lane_targets.h"
+#include "core/kinematics/vector/lane_targets.h"
 
 #include <hwy/foreach_target.h>
 // The targets first.

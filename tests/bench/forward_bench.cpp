@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: MIT
 // Time of one forward solution. Cold: start at home. Set 1: +-10 mm +-10 deg; set 2: +-40 mm +-40 deg. Warm:
 // start 0.1 mm and 0.1 deg beside the solution, in each coordinate. All to a leg residual of 1e-10 m.
+#include "core/base/units.h"
 #include "core/finite_step/finite_step_solver.h"
 #include "core/finite_step/leg_path.h"
 #include "core/geometry/geometry_file.h"
-#include "core/geometry/units.h"
 #include "core/kinematics/inverse_kinematics.h"
-#include "core/kinematics/mpr_newton.h"
-#include "core/kinematics/polynomial_training.h"
+#include "core/kinematics/regression/mpr_newton.h"
+#include "core/kinematics/regression/polynomial_training.h"
 #include "fma_peak.h"
 #include "ratio_report.h"
 #include "tests/support/vector_unit.h"

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: MIT
+#include <hexapose/core/base/units.h>
 #include <hexapose/core/finite_step/finite_step_solver.h>
 #include <hexapose/core/finite_step/path_fallback.h>
 #include <hexapose/core/finite_step/step_system.h>
 #include <hexapose/core/geometry/geometry_file.h>
-#include <hexapose/core/geometry/units.h>
-#include <hexapose/core/kinematics/mpr_newton.h>
-#include <hexapose/core/kinematics/newton_raphson.h>
-#include <hexapose/core/kinematics/polynomial_training.h>
+#include <hexapose/core/kinematics/newton/newton_raphson.h>
+#include <hexapose/core/kinematics/regression/mpr_newton.h>
+#include <hexapose/core/kinematics/regression/polynomial_training.h>
 
 #include <exception>
 #include <iostream>

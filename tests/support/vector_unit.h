@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/kinematics/lane_targets.h"
+#include "core/kinematics/vector/lane_targets.h"
 
 #include <hwy/highway.h>
 

@@ -5,13 +5,13 @@
 // redrawing at 100 Hz of feedback, while a report is being drawn and written all the time.
 
 #include "app/common/device_factory.h"
-#include "core/device/line_controller.h"
-#include "core/device/pseudo_terminal.h"
+#include "core/device/simulation/line_controller.h"
+#include "core/device/simulation/pseudo_terminal.h"
 #include "core/geometry/geometry_file.h"
-#include "core/kinematics/newton_raphson.h"
+#include "core/kinematics/newton/newton_raphson.h"
 #include "core/report/error_report.h"
-#include "ui/panels/operator_window.h"
-#include "ui/panels/report_writer.h"
+#include "ui/console/report/report_writer.h"
+#include "ui/console/window/operator_window.h"
 #include "ui/session/session.h"
 
 #include <QApplication>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/chart_page.h"
 
-#include "core/geometry/units.h"
+#include "core/base/units.h"
 #include "ui/common/status_text.h"
 
 #include <QButtonGroup>
@@ -46,7 +46,7 @@ void putPose(std::vector<double>& values, std::size_t channel, const std::option
     }
     const PoseVector si = pose->toVector();
     for (int i = 0; i < 6; ++i) {
-        values[channel + static_cast<std::size_t>(i)] = shownCoordinate(i, si[i]);
+        values[channel + static_cast<std::size_t>(i)] = toDisplay(i, si[i]);
     }
 }
 
@@ -66,7 +66,7 @@ std::vector<double> channelValues(const Snapshot& snapshot) {
         const PoseVector measured = snapshot.measuredPose->toVector();
         const PoseVector target = snapshot.targetPose->toVector();
         for (int i = 0; i < 6; ++i) {
-            values[kError + static_cast<std::size_t>(i)] = shownError(i, measured[i], target[i]);
+            values[kError + static_cast<std::size_t>(i)] = displayError(i, measured[i], target[i]);
         }
     }
     return values;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/common/pose_field.h"
 
-#include "core/geometry/number_text.h"
+#include "core/base/number_text.h"
 #include "ui/common/theme.h"
 
 #include <QLineEdit>

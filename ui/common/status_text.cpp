@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/common/status_text.h"
 
-#include "core/geometry/units.h"
+#include "core/base/units.h"
 #include "core/kinematics/forward_methods.h"
 
 #include <QCoreApplication>
@@ -153,18 +153,17 @@ const std::array<CoordinateText, 6>& coordinateTexts() {
     return texts;
 }
 
-double shownCoordinate(int coordinate, double si) {
+double toDisplay(int coordinate, double si) {
     return coordinate < 3 ? mmFromMetres(si) : degFromRadians(si);
 }
 
-double siCoordinate(int coordinate, double shown) {
+double fromDisplay(int coordinate, double shown) {
     return coordinate < 3 ? metresFromMm(shown) : radiansFromDeg(shown);
 }
 
-double shownError(int coordinate, double measured, double target) {
+double displayError(int coordinate, double measured, double target) {
     const double error = measured - target;
-    return shownCoordinate(coordinate,
-                           coordinate < 3 ? error : std::remainder(error, 2.0 * std::numbers::pi));
+    return toDisplay(coordinate, coordinate < 3 ? error : std::remainder(error, 2.0 * std::numbers::pi));
 }
 
 } // namespace hexapose

@@ -37,9 +37,9 @@ struct CoordinateText {
 const std::array<CoordinateText, 6>& coordinateTexts();
 
 /// From SI to what the screen shows: mm or degrees.
-double shownCoordinate(int coordinate, double si);
-double siCoordinate(int coordinate, double shown);
+double toDisplay(int coordinate, double si);
+double fromDisplay(int coordinate, double shown);
 /// measured - target as shown; angles wrapped to +-180 degrees.
-double shownError(int coordinate, double measured, double target);
+double displayError(int coordinate, double measured, double target);
 
 } // namespace hexapose

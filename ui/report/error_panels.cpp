@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/geometry/number_text.h"
-#include "core/geometry/units.h"
-#include "ui/report/plot.h"
+#include "core/base/number_text.h"
+#include "core/base/units.h"
+#include "ui/plot/plot.h"
 #include "ui/report/report_export.h"
 #include "ui/report/report_words.h"
 

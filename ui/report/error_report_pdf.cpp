@@ -3,8 +3,8 @@
 
 #include "ui/report/error_report_pdf.h"
 
-#include "core/geometry/number_text.h"
-#include "core/geometry/units.h"
+#include "core/base/number_text.h"
+#include "core/base/units.h"
 #include "ui/report/pdf_pages.h"
 #include "ui/report/report_export.h"
 #include "ui/report/report_numbers.h"

@@ -3,8 +3,8 @@
 
 #include "ui/report/pdf_pages.h"
 
-#include "core/geometry/input_error.h"
-#include "ui/report/plot.h"
+#include "core/base/input_error.h"
+#include "ui/plot/plot.h"
 #include "ui/report/report_words.h"
 
 #include <QFontMetricsF>

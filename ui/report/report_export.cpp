@@ -3,9 +3,9 @@
 
 #include "ui/report/report_export.h"
 
-#include "core/geometry/input_error.h"
+#include "core/base/input_error.h"
+#include "ui/plot/picture_files.h"
 #include "ui/report/error_report_pdf.h"
-#include "ui/report/picture_files.h"
 #include "ui/report/report_words.h"
 
 #include <QBuffer>

@@ -3,8 +3,8 @@
 
 #include "ui/report/report_numbers.h"
 
-#include "core/geometry/number_text.h"
-#include "core/geometry/units.h"
+#include "core/base/number_text.h"
+#include "core/base/units.h"
 
 #include <algorithm>
 #include <array>

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/control/control_loop.h"
-#include "core/control/operator_command.h"
 #include "core/device/platform_device.h"
 #include "core/geometry/platform_geometry.h"
 #include "core/kinematics/forward_solver.h"
+#include "core/machine/command.h"
+#include "core/machine/control_loop.h"
 #include "core/record/snapshot.h"
 
 #include <QObject>

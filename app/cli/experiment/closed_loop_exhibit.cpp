@@ -5,8 +5,8 @@
 
 #include "app/cli/reproduce/printed.h"
 #include "app/cli/reproduce/styles.h"
-#include "core/geometry/number_text.h"
-#include "core/geometry/units.h"
+#include "core/base/number_text.h"
+#include "core/base/units.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,11 +3,11 @@
 
 #include "app/cli/experiment/closed_loop_trial.h"
 
-#include "core/control/straight_motion.h"
-#include "core/device/simulated_machine.h"
-#include "core/geometry/input_error.h"
-#include "core/geometry/units.h"
-#include "core/kinematics/newton_raphson.h"
+#include "core/base/input_error.h"
+#include "core/base/units.h"
+#include "core/device/simulation/simulated_machine.h"
+#include "core/kinematics/newton/newton_raphson.h"
+#include "core/motion/straight_motion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,8 +40,8 @@ double seconds(std::chrono::nanoseconds duration) {
 class Trial {
 public:
     Trial(const TrialSettings& settings, const ForwardSolver& solver, MotionMode mode)
-        : m_settings(settings), m_bounds(completed(settings.control.bounds, settings.platform)), m_mode(mode),
-          m_machine(settings.platform, settings.legs),
+        : m_settings(settings), m_bounds(withDefaults(settings.control.bounds, settings.platform)),
+          m_mode(mode), m_machine(settings.platform, settings.legs),
           m_exact(settings.platform, NewtonOptions{.tolerance = kTightTolerance}),
           m_loop(
               m_machine.device(), settings.platform, solver, settings.control,
@@ -91,7 +91,7 @@ private:
         m_true = truePose();
         m_outcome.from = m_true;
         m_outcome.plannedSeconds = plannedSeconds;
-        m_way = displacement(m_true, target);
+        m_displacement = displacement(m_true, target);
         m_plan.emplace(m_settings.platform, *m_last.measuredPose, target, m_bounds);
         m_track.clear();
         m_constantSpeed = m_constantSince = 0.0;
@@ -110,15 +110,15 @@ private:
         const Pose pose = truePose();
         m_track.push_back({time, pose.offset});
         const Twist gone = displacement(m_outcome.from, pose);
-        const double length = m_way.head<3>().norm();
-        const double turn = m_way.tail<3>().norm();
+        const double length = m_displacement.head<3>().norm();
+        const double turn = m_displacement.tail<3>().norm();
         // The place on the way: by position, or by angle where it only turns.
-        const double part = length > 0.0 ? gone.head<3>().dot(m_way.head<3>()) / (length * length)
-                            : turn > 0.0 ? gone.tail<3>().dot(m_way.tail<3>()) / (turn * turn)
+        const double part = length > 0.0 ? gone.head<3>().dot(m_displacement.head<3>()) / (length * length)
+                            : turn > 0.0 ? gone.tail<3>().dot(m_displacement.tail<3>()) / (turn * turn)
                                          : 0.0;
         const double place = std::clamp(part, 0.0, 1.0);
-        const Pose onTheWay = displaced(m_outcome.from, place * m_way);
-        const Twist beside = displacement(pose, onTheWay);
+        const Pose alongPath = displaced(m_outcome.from, place * m_displacement);
+        const Twist beside = displacement(pose, alongPath);
         Moment moment{time, beside.head<3>().norm(), beside.tail<3>().norm(), 0.0, commandedSpeed(time)};
         const auto before = std::find_if(m_track.rbegin(), m_track.rend(), [&](const auto& p) {
             return p.first <= time - kSpeedWindow + 1e-9;
@@ -171,7 +171,7 @@ private:
     Snapshot m_last;
     ControlLoop m_loop;
     MoveOutcome m_outcome;
-    Twist m_way = Twist::Zero();
+    Twist m_displacement = Twist::Zero();
     Pose m_true;
     std::optional<StraightMotion> m_plan;
     double m_constantSpeed = 0.0; ///< m/s, commanded
@@ -184,7 +184,7 @@ private:
 std::vector<Pose> drawTargets(const TrialSettings& settings) {
     const PlatformGeometry& platform = settings.platform;
     MotionLimits limits = motionLimits(platform, std::nullopt, std::nullopt);
-    const MotionBounds bounds = completed(settings.control.bounds, platform);
+    const MotionBounds bounds = withDefaults(settings.control.bounds, platform);
     // Ways from one pose to the next, smaller ones where a machine has no room for large ones.
     for (int halving = 0; halving < kHalvings; ++halving) {
         const double part = std::pow(0.5, halving);

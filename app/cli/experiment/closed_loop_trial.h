@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/control/control_loop.h"
-#include "core/device/virtual_platform.h"
+#include "core/device/simulation/virtual_platform.h"
 #include "core/geometry/platform_geometry.h"
 #include "core/geometry/pose.h"
 #include "core/kinematics/forward_solver.h"
+#include "core/machine/control_loop.h"
 
 #include <cstdint>
 #include <functional>

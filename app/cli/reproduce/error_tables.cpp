@@ -6,7 +6,7 @@
 #include "app/cli/reproduce/exhibits.h"
 #include "app/cli/reproduce/explanations.h"
 #include "app/cli/reproduce/printed.h"
-#include "core/geometry/number_text.h"
+#include "core/base/number_text.h"
 
 #include <cmath>
 

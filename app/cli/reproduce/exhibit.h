@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/cli/reproduce/checks.h"
-#include "ui/report/picture.h"
+#include "ui/plot/picture.h"
 
 #include <optional>
 #include <string>

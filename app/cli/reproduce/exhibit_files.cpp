@@ -4,7 +4,7 @@
 #include "app/cli/reproduce/exhibit_files.h"
 
 #include "app/cli/reproduce/exhibit_text.h"
-#include "ui/report/picture_files.h"
+#include "ui/plot/picture_files.h"
 
 namespace hexapose::reproduce {
 

@@ -4,7 +4,7 @@
 #include "app/cli/reproduce/exhibit_text.h"
 
 #include "app/cli/reproduce/printed.h"
-#include "core/geometry/number_text.h"
+#include "core/base/number_text.h"
 
 #include <algorithm>
 #include <sstream>

@@ -3,13 +3,13 @@
 
 #include "app/cli/reproduce/experiment.h"
 
-#include "core/geometry/units.h"
+#include "core/base/units.h"
 #include "core/kinematics/inverse_kinematics.h"
-#include "core/kinematics/newton_raphson.h"
-#include "core/kinematics/parallel_lanes.h"
-#include "core/kinematics/polynomial_training.h"
+#include "core/kinematics/newton/newton_raphson.h"
 #include "core/kinematics/pose_samples.h"
+#include "core/kinematics/regression/polynomial_training.h"
 #include "core/kinematics/solver_checks.h"
+#include "core/kinematics/vector/parallel_lanes.h"
 
 #include <algorithm>
 #include <ctime>

@@ -6,7 +6,7 @@
 #include "core/geometry/platform_geometry.h"
 #include "core/geometry/pose.h"
 #include "core/kinematics/forward_solver.h"
-#include "core/kinematics/polynomial_model.h"
+#include "core/kinematics/regression/polynomial_model.h"
 
 #include <array>
 #include <cstdint>

@@ -6,8 +6,8 @@
 #include "app/cli/reproduce/finite_step_study.h"
 #include "app/cli/reproduce/printed.h"
 #include "app/cli/reproduce/styles.h"
-#include "core/geometry/number_text.h"
-#include "core/geometry/units.h"
+#include "core/base/number_text.h"
+#include "core/base/units.h"
 
 #include <cmath>
 

@@ -7,8 +7,8 @@
 #include "app/cli/reproduce/particle_swarm.h"
 #include "app/cli/reproduce/printed.h"
 #include "app/cli/reproduce/styles.h"
-#include "core/geometry/number_text.h"
-#include "core/geometry/units.h"
+#include "core/base/number_text.h"
+#include "core/base/units.h"
 #include "core/kinematics/inverse_kinematics.h"
 
 #include <algorithm>

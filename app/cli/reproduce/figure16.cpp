@@ -7,7 +7,7 @@
 #include "app/cli/reproduce/printed.h"
 #include "app/cli/reproduce/tracking_picture.h"
 #include "app/cli/reproduce/tracking_table.h"
-#include "core/geometry/units.h"
+#include "core/base/units.h"
 
 #include <array>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include "app/cli/reproduce/printed.h"
 #include "app/cli/reproduce/sine_fit.h"
 #include "app/cli/reproduce/styles.h"
-#include "core/geometry/number_text.h"
+#include "core/base/number_text.h"
 
 #include <cmath>
 #include <numbers>

@@ -4,10 +4,10 @@
 #include "app/cli/reproduce/finite_step_study.h"
 
 #include "app/cli/reproduce/styles.h"
+#include "core/base/units.h"
 #include "core/finite_step/leg_path.h"
-#include "core/geometry/units.h"
 #include "core/kinematics/inverse_kinematics.h"
-#include "ui/report/nice_ticks.h"
+#include "ui/plot/nice_ticks.h"
 
 #include <algorithm>
 #include <chrono>

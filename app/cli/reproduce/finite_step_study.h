@@ -6,7 +6,7 @@
 #include "core/finite_step/step_form.h"
 #include "core/geometry/platform_geometry.h"
 #include "core/geometry/pose.h"
-#include "ui/report/plot.h"
+#include "ui/plot/plot.h"
 
 #include <array>
 #include <span>

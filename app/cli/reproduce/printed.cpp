@@ -3,7 +3,7 @@
 
 #include "app/cli/reproduce/printed.h"
 
-#include "core/geometry/number_text.h"
+#include "core/base/number_text.h"
 #include "ui/report/report_numbers.h"
 
 #include <charconv>

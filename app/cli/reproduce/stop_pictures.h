@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/cli/reproduce/measurements.h"
-#include "ui/report/picture.h"
+#include "ui/plot/picture.h"
 
 namespace hexapose::reproduce {
 

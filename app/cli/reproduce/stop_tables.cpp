@@ -5,7 +5,7 @@
 #include "app/cli/reproduce/explanations.h"
 #include "app/cli/reproduce/printed.h"
 #include "app/cli/reproduce/stop_pictures.h"
-#include "core/geometry/number_text.h"
+#include "core/base/number_text.h"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/report/plot.h"
+#include "ui/plot/plot.h"
 
 #include <cstdint>
 

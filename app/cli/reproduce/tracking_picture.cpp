@@ -5,7 +5,7 @@
 
 #include "app/cli/reproduce/styles.h"
 #include "app/cli/reproduce/tracking_table.h"
-#include "ui/report/nice_ticks.h"
+#include "ui/plot/nice_ticks.h"
 
 #include <algorithm>
 

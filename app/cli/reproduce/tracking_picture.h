@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/finite_step/motion_tracking.h"
-#include "ui/report/picture.h"
+#include "ui/plot/picture.h"
 
 namespace hexapose::reproduce {
 

@@ -4,10 +4,10 @@
 #include "app/cli/reproduce/tracking_table.h"
 
 #include "app/cli/reproduce/printed.h"
+#include "core/base/number_text.h"
+#include "core/base/units.h"
 #include "core/finite_step/pose_errors.h"
 #include "core/geometry/euler_angles.h"
-#include "core/geometry/number_text.h"
-#include "core/geometry/units.h"
 
 #include <algorithm>
 #include <cmath>

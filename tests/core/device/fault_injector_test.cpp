@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: MIT
 
-#include "core/device/fault_injector.h"
+#include "core/device/simulation/fault_injector.h"
 
-#include "core/device/line_codec.h"
-#include "core/geometry/input_error.h"
+#include "core/base/input_error.h"
+#include "core/device/line/line_codec.h"
 
 #include <gtest/gtest.h>
 

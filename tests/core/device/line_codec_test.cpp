@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: MIT
 
-#include "core/device/line_codec.h"
+#include "core/device/line/line_codec.h"
 
 #include <gtest/gtest.h>
 

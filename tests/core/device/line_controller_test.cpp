@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: MIT
 
-#include "core/device/line_controller.h"
+#include "core/device/simulation/line_controller.h"
 
 #include "tests/core/device/test_platform.h"
 

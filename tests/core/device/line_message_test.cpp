@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: MIT
 
-#include "core/device/line_message.h"
+#include "core/device/line/line_message.h"
 
-#include "core/device/wire_number.h"
+#include "core/device/line/wire_number.h"
 
 #include <gtest/gtest.h>
 

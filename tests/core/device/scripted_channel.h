@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/device/byte_channel.h"
-#include "core/device/line_codec.h"
-#include "core/device/line_device.h"
+#include "core/device/line/line_codec.h"
+#include "core/device/line/line_device.h"
 
 #include <algorithm>
 #include <chrono>

@@ -3,13 +3,13 @@
 
 // Every byte through a real pseudo-terminal and QSerialPort.
 
-#include "core/device/line_device.h"
-#include "core/device/pseudo_terminal.h"
+#include "core/base/input_error.h"
+#include "core/device/line/line_device.h"
 #include "core/device/reconnecting_device.h"
 #include "core/device/serial/serial_channel.h"
 #include "core/device/serial/serial_ports.h"
-#include "core/device/virtual_platform_server.h"
-#include "core/geometry/input_error.h"
+#include "core/device/simulation/pseudo_terminal.h"
+#include "core/device/simulation/virtual_platform_server.h"
 #include "tests/core/device/test_platform.h"
 
 #include <QCoreApplication>

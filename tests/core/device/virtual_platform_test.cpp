@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: MIT
 
-#include "core/device/virtual_platform.h"
+#include "core/device/simulation/virtual_platform.h"
 
 #include "tests/core/device/test_platform.h"
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/base/units.h"
 #include "core/finite_step/leg_path.h"
 #include "core/finite_step/mechanism_file.h"
 #include "core/finite_step/pose_errors.h"
 #include "core/finite_step/step_system.h"
-#include "core/geometry/units.h"
 #include "core/kinematics/inverse_kinematics.h"
 #include "tests/core/kinematics/test_machines.h"
 

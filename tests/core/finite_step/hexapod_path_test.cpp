@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 // Where paths of the laboratory platform go, and where they stop: clean, near a singular pose, into a fold,
 // across.
-#include "core/kinematics/home_side.h"
-#include "core/kinematics/newton_raphson.h"
+#include "core/kinematics/newton/home_side.h"
+#include "core/kinematics/newton/newton_raphson.h"
 #include "core/kinematics/singularity.h"
 #include "tests/core/finite_step/finite_step_fixture.h"
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: MIT
 // Files of mechanisms that are wrong: each is refused with one line that says where, what and why.
-#include "core/geometry/input_error.h"
-#include "core/geometry/text_file.h"
+#include "core/base/input_error.h"
+#include "core/base/text_file.h"
 #include "tests/core/finite_step/finite_step_fixture.h"
 
 #include <gmock/gmock.h>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: MIT
 // Which sets of step equations determine a 6-UPS platform, and what is said of those that do not.
-#include "core/geometry/input_error.h"
-#include "core/geometry/number_text.h"
+#include "core/base/input_error.h"
+#include "core/base/number_text.h"
 #include "tests/core/finite_step/finite_step_fixture.h"
 
 #include <gmock/gmock.h>

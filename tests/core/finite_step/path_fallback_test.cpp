@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // MPR-NR that follows the path from a known pose where it is not sure of its branch.
 #include "core/finite_step/path_fallback.h"
-#include "core/kinematics/mpr_newton.h"
+#include "core/kinematics/regression/mpr_newton.h"
 #include "core/kinematics/singularity.h"
 #include "tests/core/finite_step/finite_step_fixture.h"
 #include "tests/support/sample_count.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // Finite-step integration behind the interface of the forward solvers.
 #include "core/finite_step/finite_step_solver.h"
-#include "core/kinematics/newton_raphson.h"
+#include "core/kinematics/newton/newton_raphson.h"
 #include "tests/core/finite_step/finite_step_fixture.h"
 
 #include <gtest/gtest.h>

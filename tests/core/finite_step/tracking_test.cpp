@@ -4,7 +4,7 @@
 #include "core/finite_step/motion_tracking.h"
 #include "core/finite_step/node_path.h"
 #include "core/kinematics/jacobian.h"
-#include "core/kinematics/newton_raphson.h"
+#include "core/kinematics/newton/newton_raphson.h"
 #include "tests/core/finite_step/finite_step_fixture.h"
 
 #include <Eigen/Geometry>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: MIT
 // Many solutions at once are those of the single solver, in every lane and for every length of the array.
-#include "core/kinematics/newton_lanes.h"
-#include "core/kinematics/newton_raphson.h"
+#include "core/kinematics/newton/newton_raphson.h"
+#include "core/kinematics/vector/newton_lanes.h"
 #include "test_machines.h"
 #include "tests/support/sample_count.h"
 #include "tests/support/vector_unit.h"

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: MIT
-#include "core/kinematics/model_cache.h"
-#include "core/kinematics/polynomial_file.h"
+#include "core/kinematics/regression/model_cache.h"
+#include "core/kinematics/regression/polynomial_file.h"
 
-#include "core/geometry/fnv1a.h"
-#include "core/geometry/input_error.h"
+#include "core/base/fnv1a.h"
+#include "core/base/input_error.h"
 #include "test_machines.h"
 
 #include <gtest/gtest.h>

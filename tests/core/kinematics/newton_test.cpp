@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: MIT
-#include "core/kinematics/newton_raphson.h"
+#include "core/kinematics/newton/newton_raphson.h"
 
 #include "core/kinematics/singularity.h"
 #include "test_machines.h"

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: MIT
 #include "core/kinematics/forward_methods.h"
-#include "core/kinematics/mpr_newton.h"
-#include "core/kinematics/polynomial_basis.h"
-#include "core/kinematics/polynomial_training.h"
+#include "core/kinematics/regression/mpr_newton.h"
+#include "core/kinematics/regression/polynomial_basis.h"
+#include "core/kinematics/regression/polynomial_training.h"
 
-#include "core/geometry/input_error.h"
+#include "core/base/input_error.h"
 #include "test_machines.h"
 #include "tests/support/vector_unit.h"
 

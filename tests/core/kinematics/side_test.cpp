@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // A converged pose is on home's side of the singular surface, and joined to home.
 #include "core/kinematics/jacobian.h"
-#include "core/kinematics/newton_raphson.h"
+#include "core/kinematics/newton/newton_raphson.h"
 #include "core/kinematics/singularity.h"
 #include "test_machines.h"
 #include "tests/support/sample_count.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // What every forward solver owes, on several machines.
 #include "core/kinematics/forward_methods.h"
-#include "core/kinematics/newton_raphson.h"
+#include "core/kinematics/newton/newton_raphson.h"
 #include "test_machines.h"
 
 #include <gtest/gtest.h>

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/base/units.h"
 #include "core/geometry/geometry_file.h"
-#include "core/geometry/units.h"
 #include "core/kinematics/inverse_kinematics.h"
-#include "core/kinematics/polynomial_training.h"
+#include "core/kinematics/regression/polynomial_training.h"
 
 #include <cmath>
 #include <map>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: MIT
 
-#include "core/geometry/input_error.h"
-#include "core/record/csv_table.h"
+#include "core/base/csv_table.h"
+#include "core/base/input_error.h"
 #include "core/record/pose_list.h"
 #include "tests/core/record/record_fixture.h"
 

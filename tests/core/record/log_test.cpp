@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: MIT
 
-#include "core/geometry/input_error.h"
+#include "core/base/input_error.h"
+#include "core/base/unit_text.h"
+#include "core/base/utc_text.h"
 #include "core/record/log_columns.h"
 #include "core/record/log_reader.h"
 #include "core/record/log_writer.h"
-#include "core/record/unit_text.h"
-#include "core/record/utc_text.h"
 #include "tests/core/record/record_fixture.h"
 
 #include <gmock/gmock.h>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/base/units.h"
 #include "core/geometry/geometry_file.h"
-#include "core/geometry/units.h"
 #include "core/record/log_metadata.h"
 #include "core/record/snapshot.h"
 

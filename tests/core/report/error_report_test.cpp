@@ -3,10 +3,10 @@
 
 #include "core/report/error_report.h"
 
-#include "core/geometry/input_error.h"
-#include "core/geometry/units.h"
+#include "core/base/csv_table.h"
+#include "core/base/input_error.h"
+#include "core/base/units.h"
 #include "core/kinematics/inverse_kinematics.h"
-#include "core/record/csv_table.h"
 #include "tests/core/report/report_fixture.h"
 
 #include <numbers>
@@ -149,9 +149,9 @@ TEST(ErrorCsv, HoldsEverySampleUnderItsNames) {
 
 TEST(RandomAttitudes, AreSeededReachableAndInRange) {
     const PlatformGeometry geometry = laboratory();
-    const auto poses = randomAttitudes(geometry, 500, 0.06, 0.4, 11);
-    const auto again = randomAttitudes(geometry, 500, 0.06, 0.4, 11);
-    const auto other = randomAttitudes(geometry, 500, 0.06, 0.4, 12);
+    const auto poses = randomPoses(geometry, 500, 0.06, 0.4, 11);
+    const auto again = randomPoses(geometry, 500, 0.06, 0.4, 11);
+    const auto other = randomPoses(geometry, 500, 0.06, 0.4, 12);
     ASSERT_EQ(poses.size(), 500U);
     PoseVector low = PoseVector::Zero();
     PoseVector high = PoseVector::Zero();
@@ -174,16 +174,16 @@ TEST(RandomAttitudes, RefusesWhatCannotBeDrawn) {
     PlatformGeometry stiff = laboratory();
     for (Leg& leg : stiff.legs)
         leg.maxLength = (leg.minLength = 0.1) + 1e-3;
-    EXPECT_THROW(randomAttitudes(stiff, 1, 0.01, 0.1, 1), InputError);
-    EXPECT_THROW(randomAttitudes(laboratory(), 1, -0.01, 0.1, 1), InputError);
-    EXPECT_THROW(randomAttitudes(laboratory(), 1, 0.01, std::nan(""), 1), InputError);
-    EXPECT_TRUE(randomAttitudes(laboratory(), 0, 0.01, 0.1, 1).empty());
+    EXPECT_THROW(randomPoses(stiff, 1, 0.01, 0.1, 1), InputError);
+    EXPECT_THROW(randomPoses(laboratory(), 1, -0.01, 0.1, 1), InputError);
+    EXPECT_THROW(randomPoses(laboratory(), 1, 0.01, std::nan(""), 1), InputError);
+    EXPECT_TRUE(randomPoses(laboratory(), 0, 0.01, 0.1, 1).empty());
 }
 
 TEST(DefaultAttitudes, FitMachinesOfShortStroke) {
-    const auto usual = defaultAttitudes(laboratory(), 10, 1);
+    const auto usual = defaultPoses(laboratory(), 10, 1);
     EXPECT_EQ(usual.front().toVector(),
-              randomAttitudes(laboratory(), 10, 0.01, radiansFromDeg(10.0), 1).front().toVector());
+              randomPoses(laboratory(), 10, 0.01, radiansFromDeg(10.0), 1).front().toVector());
     PlatformGeometry tight = laboratory();
     const LegLengths home = tight.homeLengths();
     for (int i = 0; i < kLegCount; ++i) {
@@ -191,12 +191,12 @@ TEST(DefaultAttitudes, FitMachinesOfShortStroke) {
         leg.minLength = home[i] - 2e-4;
         leg.maxLength = home[i] + 2e-4;
     }
-    EXPECT_THROW(randomAttitudes(tight, 10, 0.01, radiansFromDeg(10.0), 1), InputError);
-    for (const Pose& pose : defaultAttitudes(tight, 10, 1))
+    EXPECT_THROW(randomPoses(tight, 10, 0.01, radiansFromDeg(10.0), 1), InputError);
+    for (const Pose& pose : defaultPoses(tight, 10, 1))
         EXPECT_LE((legLengths(tight, pose) - home).cwiseAbs().maxCoeff(), 2e-4);
     for (Leg& leg : tight.legs)
         leg.maxLength = (leg.minLength = 0.1) + 1e-3;
-    EXPECT_THROW(defaultAttitudes(tight, 1, 1), InputError);
+    EXPECT_THROW(defaultPoses(tight, 1, 1), InputError);
 }
 
 } // namespace

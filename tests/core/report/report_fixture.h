@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/base/units.h"
 #include "core/geometry/geometry_file.h"
-#include "core/geometry/units.h"
 #include "core/kinematics/inverse_kinematics.h"
-#include "core/kinematics/newton_raphson.h"
+#include "core/kinematics/newton/newton_raphson.h"
 #include "core/report/error_report.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ inline SettledSample roundedSample(const PlatformGeometry& geometry, const Pose&
 inline std::vector<SettledSample> roundedSamples(const PlatformGeometry& geometry, int count,
                                                  double resolution) {
     std::vector<SettledSample> samples;
-    for (const Pose& pose : randomAttitudes(geometry, count, 0.01, radiansFromDeg(10.0), 7))
+    for (const Pose& pose : randomPoses(geometry, count, 0.01, radiansFromDeg(10.0), 7))
         samples.push_back(roundedSample(geometry, pose, resolution));
     return samples;
 }

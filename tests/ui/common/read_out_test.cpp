@@ -62,10 +62,11 @@ TEST(StatusText, EveryStateAndStatusHasWordsOfItsOwn) {
 
 TEST(StatusText, ErrorsOfAnglesTakeTheShortWay) {
     constexpr double kRounding = 1e-9;
-    EXPECT_NEAR(shownError(0, 0.0121, 0.012), 0.1, kRounding);
+    EXPECT_NEAR(displayError(0, 0.0121, 0.012), 0.1, kRounding);
     const double almostHalfTurn = std::numbers::pi - 0.001;
-    EXPECT_NEAR(shownError(5, -almostHalfTurn, almostHalfTurn), 0.002 * 180.0 / std::numbers::pi, kRounding);
-    EXPECT_NEAR(siCoordinate(4, shownCoordinate(4, 0.3)), 0.3, kRounding);
+    EXPECT_NEAR(displayError(5, -almostHalfTurn, almostHalfTurn), 0.002 * 180.0 / std::numbers::pi,
+                kRounding);
+    EXPECT_NEAR(fromDisplay(4, toDisplay(4, 0.3)), 0.3, kRounding);
 }
 
 } // namespace

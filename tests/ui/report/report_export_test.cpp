@@ -3,11 +3,11 @@
 
 #include "ui/report/report_export.h"
 
+#include "core/base/input_error.h"
+#include "core/base/units.h"
 #include "core/geometry/geometry_file.h"
-#include "core/geometry/input_error.h"
-#include "core/geometry/units.h"
 #include "core/kinematics/inverse_kinematics.h"
-#include "core/kinematics/newton_raphson.h"
+#include "core/kinematics/newton/newton_raphson.h"
 #include "ui/common/language.h"
 
 #include <QFile>
@@ -43,7 +43,7 @@ ErrorReport makeReport(int count, double scale = 1.0, int failEvery = 0) {
     }
     const double resolution = 1e-4 * scale;
     std::vector<SettledSample> samples;
-    for (const Pose& pose : randomAttitudes(geometry, count, 0.01 * scale, radiansFromDeg(10.0), 5)) {
+    for (const Pose& pose : randomPoses(geometry, count, 0.01 * scale, radiansFromDeg(10.0), 5)) {
         SettledSample sample;
         sample.target = pose;
         sample.meanLengths =

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "ui/report/nice_ticks.h"
+#include "ui/plot/nice_ticks.h"
 #include "ui/report/report_numbers.h"
 
 #include <gtest/gtest.h>

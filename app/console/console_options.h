@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/motion/limits.h"
+#include "ui/common/theme.h"
+#include "ui/session/session.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hexapose {
+
+/// What the command line asks of the console.
+struct ConsoleOptions {
+    std::optional<ConnectionChoice> connection; ///< connect at once; empty: the operator does
+    std::string platform = "laboratory";
+    std::string method;                 ///< of kSolverChoices; empty: remembered, or the first of them
+    PoseEnvelope envelope;              ///< no further from home
+    std::filesystem::path logDirectory; ///< empty: the usual one
+    QString language;                   ///< empty: remembered, or the desktop's
+    std::optional<ThemeKind> theme;
+    bool headless = false;
+    std::filesystem::path output; ///< of the headless run; empty: beside the log
+    bool help = false;
+    bool version = false;
+};
+
+/// Throws InputError "option: what is wrong" for anything that does not fit.
+ConsoleOptions parseOperatorOptions(const std::vector<std::string>& arguments);
+std::string operatorHelp();
+
+/// Makes the directory when it is missing. Throws InputError "option dir: reason" unless files can be made in
+/// it.
+void requireWritable(const std::filesystem::path& directory, const std::string& option);
+
+} // namespace hexapose

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/device/line/frame_sequence.h"
+#include "core/device/line/line_codec.h"
+#include "core/device/line/line_device.h"
+#include "core/device/line/line_requests.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hexapose {
+
+struct LineDevice::Impl {
+    using Time = std::chrono::steady_clock::time_point;
+    using Kind = DeviceNotice::Kind;
+
+    Impl(std::unique_ptr<ByteChannel> theChannel, LineDeviceOptions theOptions);
+
+    // line_device.cpp: what goes out, and the wait.
+    void send(const SetPoints& setPoints);
+    void sendStop(bool asked, Time time);
+    void sendHandshake(Time time);
+    void sendRequest(DeviceRequest request, Time time);
+    void sendLengths(const LegLengths& lengths, Time time);
+    void write(const line::LineMessage& message);
+    void receive(const std::atomic<bool>* hurry);
+    void missAnswers();
+    void lose(const std::string& reason);
+    void count();
+
+    // line_device_messages.cpp: what comes in.
+    void take(const line::LineMessage& message, Time time);
+    void take(const line::Ident& ident);
+    void take(const line::UnsupportedIdent& ident);
+    void take(const line::Len& len, Time time);
+    void take(const line::PlainLengths& plain, Time time);
+    void take(const line::Ok& ok);
+    void take(const line::Err& err);
+    void beginAgain();
+    void complainOnce(const std::string& request, const std::string& text);
+    void note(Kind kind, std::string request, std::string text);
+
+    bool isSilent(Time time) const {
+        return time - lastHeard > std::max(options.silentAfter, 3 * feedback.period);
+    }
+
+    std::unique_ptr<ByteChannel> channel; ///< none once the port is lost
+    LineDeviceOptions options;
+    line::FrameReader reader{line::Side::Host};
+    line::FrameSequence order;
+    line::PendingRequests pending;
+    line::Repeater stop;
+    line::Repeater disable;
+    DeviceFeedback feedback;
+    std::optional<Time> lastHello;
+    Time lastHeard; ///< last good frame or line
+    Time lastByte;
+    bool identified = false;
+    bool awaitsEnabled = false; ///< ENABLE was taken; set-points wait for the measurement that says so
+    bool periodRefused = false;
+    int periodTries = 0; ///< left
+    std::uint16_t nextSetNumber = 0;
+    std::uint64_t droppedOrder = 0;
+    std::string lastComplaint; ///< about the handshake, which is repeated: said once
+    std::vector<line::LineMessage> messages;
+    std::array<char, 4096> buffer{};
+};
+
+} // namespace hexapose

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/device/line/line_message.h"
+#include "core/device/platform_device.h"
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hexapose::line {
+
+/// The message of a request; nothing for None.
+std::optional<LineMessage> messageOf(DeviceRequest request);
+
+/// Requests that wait for their answer.
+class PendingRequests {
+public:
+    using Time = std::chrono::steady_clock::time_point;
+
+    void sent(std::string_view type, Time time);
+    /// True when the type was waited for.
+    bool answered(std::string_view type);
+    bool waitsFor(std::string_view type) const;
+    /// The types that have waited longer; they are waited for no more.
+    std::vector<std::string> takeOverdue(Time time, std::chrono::milliseconds answerWithin);
+    void clear() { m_pending.clear(); }
+
+private:
+    struct Pending {
+        std::string type;
+        Time sentAt;
+    };
+    std::vector<Pending> m_pending;
+};
+
+/// A request on its way that must arrive: repeated until the controller confirms it.
+class Repeater {
+public:
+    using Time = std::chrono::steady_clock::time_point;
+
+    void begin(Time time);
+    void confirm() { m_begun.reset(); }
+    bool active() const { return m_begun.has_value(); }
+    /// Whether to send it now; ends by itself after giveUpAfter.
+    bool takeDue(Time time, std::chrono::milliseconds every, std::chrono::milliseconds giveUpAfter);
+
+private:
+    std::optional<Time> m_begun;
+    Time m_nextDue{};
+};
+
+} // namespace hexapose::line

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: MIT
+
+#include "core/motion/sine_sweep.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace hexapose {
+
+namespace {
+
+using std::numbers::pi;
+
+constexpr double kSwell = 0.15; ///< of the whole time, at each end
+
+struct Valued {
+    double value;
+    double rate;
+};
+
+/// 0 to 1 to 0, smooth to the second derivative.
+Valued envelope(double part) {
+    const double place = std::min(part, 1.0 - part) / kSwell;
+    const double sign = part < 0.5 ? 1.0 : -1.0;
+    if (place >= 1.0)
+        return {1.0, 0.0};
+    const double u = std::max(place, 0.0);
+    return {u * u * u * (10.0 + u * (-15.0 + 6.0 * u)), sign * 30.0 * u * u * (1.0 - u) * (1.0 - u) / kSwell};
+}
+
+} // namespace
+
+std::optional<std::string> faultOf(const SweepSettings& settings) {
+    if (settings.axis < 0 || settings.axis > 5)
+        return "sweep: no such axis";
+    if (!(settings.amplitude > 0.0) || !std::isfinite(settings.amplitude))
+        return "sweep: the amplitude is not above zero";
+    if (!(settings.startFrequency >= 0.0) || !(settings.endFrequency >= 0.0) ||
+        !std::isfinite(settings.startFrequency + settings.endFrequency))
+        return "sweep: a frequency is below zero";
+    if (!(settings.seconds > 0.0) || !std::isfinite(settings.seconds))
+        return "sweep: the duration is not above zero";
+    return std::nullopt;
+}
+
+SineSweep::SineSweep(const Pose& centre, const SweepSettings& settings)
+    : m_centre(centre), m_settings(settings),
+      // |(w sin)'| <= w' + w phase'; the envelope's steepest slope is 15/8 of its mean.
+      m_fastest(settings.amplitude * (1.875 / (kSwell * settings.seconds) +
+                                      2.0 * pi * std::max(settings.startFrequency, settings.endFrequency))) {}
+
+PoseReference SineSweep::at(double seconds) const {
+    const double T = m_settings.seconds;
+    const double t = std::clamp(seconds, 0.0, T);
+    const double slope = (m_settings.endFrequency - m_settings.startFrequency) / T;
+    const double phase = 2.0 * pi * t * (m_settings.startFrequency + 0.5 * slope * t);
+    const double phaseRate = 2.0 * pi * (m_settings.startFrequency + slope * t);
+    const Valued swell = envelope(t / T);
+    Twist unit = Twist::Zero();
+    unit[m_settings.axis] = m_settings.amplitude;
+    const double value = swell.value * std::sin(phase);
+    const double rate = swell.rate / T * std::sin(phase) + swell.value * phaseRate * std::cos(phase);
+    return {displaced(m_centre, value * unit), rate * unit};
+}
+
+} // namespace hexapose

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/motion/pose_motion.h"
+
+#include <optional>
+#include <string>
+
+namespace hexapose {
+
+/// A sine about a pose along one axis of the base frame, its frequency rising or falling evenly in time. The
+/// amplitude swells at the start and dies away at the end, so that it begins and ends at rest at the centre.
+struct SweepSettings {
+    int axis = 0;                ///< 0..2: along x, y, z; 3..5: about x, y, z
+    double amplitude = 0.0;      ///< m or rad, above zero
+    double startFrequency = 0.1; ///< Hz, not below zero
+    double endFrequency = 1.0;   ///< Hz, not below zero
+    double seconds = 10.0;       ///< of the whole motion, above zero
+};
+
+/// What is wrong with settings, in words; nothing when they can be used.
+std::optional<std::string> faultOf(const SweepSettings& settings);
+
+class SineSweep final : public PoseMotion {
+public:
+    SineSweep(const Pose& centre, const SweepSettings& settings);
+
+    PoseReference at(double seconds) const override;
+    double duration() const override { return m_settings.seconds; }
+    double maxSpeed() const override { return m_settings.axis < 3 ? m_fastest : 0.0; }
+    double maxAngularSpeed() const override { return m_settings.axis < 3 ? 0.0 : m_fastest; }
+
+private:
+    Pose m_centre;
+    SweepSettings m_settings;
+    double m_fastest;
+};
+
+} // namespace hexapose

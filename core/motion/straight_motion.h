@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/motion/path_timing.h"
+#include "core/motion/pose_motion.h"
+
+#include <optional>
+
+namespace hexapose {
+
+/// From one pose to another: straight in position, about one axis the shorter way round, in the shortest time
+/// that the bounds allow. All of the motion's twists have the same direction.
+class StraightMotion final : public PoseMotion {
+public:
+    /// bounds: complete ones. Both poses finite. Of no length: a motion that is over at once.
+    StraightMotion(const PlatformGeometry& geometry, const Pose& from, const Pose& to,
+                   const MotionBounds& bounds);
+
+    PoseReference at(double seconds) const override;
+    double duration() const override { return m_timing ? m_timing->duration() : 0.0; }
+    double maxSpeed() const override { return m_fastestRate * m_displacement.head<3>().norm(); }
+    double maxAngularSpeed() const override { return m_fastestRate * m_displacement.tail<3>().norm(); }
+
+    const Pose& from() const { return m_from; }
+    const Twist& way() const { return m_displacement; } ///< the whole displacement
+
+private:
+    Pose m_from;
+    Pose m_to;
+    Twist m_displacement;
+    std::optional<PathTiming> m_timing;
+    double m_fastestRate = 0.0;
+};
+
+} // namespace hexapose

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/geometry/pose.h"
+#include "core/record/snapshot.h"
+
+#include <chrono>
+#include <optional>
+#include <vector>
+
+namespace hexapose {
+
+/// Visits a list of attitudes: the next Run is due when the one before has settled and stood for `dwell`. Fed
+/// with snapshots; pure, so the console and the command line share it.
+class PoseSequence {
+public:
+    enum class Phase { Waiting, Moving, Dwelling, Done, Failed };
+    PoseSequence(std::vector<Pose> targets, std::chrono::nanoseconds dwell);
+    /// The next target to run, when it is due.
+    std::optional<Pose> add(const Snapshot& snapshot);
+    Phase phase() const { return m_phase; }
+    std::size_t finished() const { return m_finished; } ///< attitudes done
+    std::size_t count() const { return m_targets.size(); }
+    /// Why it failed: the event that ended it.
+    const std::optional<Event>& failure() const { return m_failure; }
+
+private:
+    std::vector<Pose> m_targets;
+    std::chrono::nanoseconds m_dwell;
+    Phase m_phase = Phase::Waiting;
+    std::size_t m_finished = 0;
+    std::chrono::nanoseconds m_since{0};
+    std::optional<Event> m_failure;
+};
+
+} // namespace hexapose

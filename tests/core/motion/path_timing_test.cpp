@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: MIT
+
+// The plan in time against the closed form of the seven-piece profile, and against its own limits.
+
+#include "core/motion/path_timing.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace hexapose {
+namespace {
+
+constexpr double kSamples = 20000;
+constexpr double kLimitSlack = 3e-3; ///< of a limit: the plan is made of steps
+
+double unlimited(double) {
+    return std::numeric_limits<double>::infinity();
+}
+
+/// Time of the maxSpeed way of length 1 from rest to rest under constant limits.
+double closedForm(const PathBounds& b) {
+    const auto toSpeed = [&](double v) {
+        return v * b.jerk >= b.acceleration * b.acceleration ? v / b.acceleration + b.acceleration / b.jerk
+                                                             : 2.0 * std::sqrt(v / b.jerk);
+    };
+    double v = b.rate;
+    if (v * toSpeed(v) > 1.0) { // full speed is never reached: bisection
+        double low = 0.0, high = v;
+        for (int i = 0; i < 200; ++i)
+            (0.5 * (low + high) * toSpeed(0.5 * (low + high)) < 1.0 ? low : high) = 0.5 * (low + high);
+        v = low;
+    }
+    return 2.0 * toSpeed(v) + (1.0 - v * toSpeed(v)) / v;
+}
+
+class Profile : public ::testing::TestWithParam<PathBounds> {};
+
+TEST_P(Profile, IsTheFastestAndKeepsItsLimits) {
+    const PathBounds bounds = GetParam();
+    const PathTiming timing(bounds, unlimited);
+    EXPECT_NEAR(timing.duration(), closedForm(bounds), 1e-4 * closedForm(bounds));
+    EXPECT_GE(timing.duration(), (1.0 - 1e-4) * closedForm(bounds));
+    PathTiming::State last;
+    const double step = timing.duration() / kSamples;
+    for (int i = 0; i <= kSamples; ++i) {
+        const PathTiming::State state = timing.at(i * step);
+        EXPECT_LE(state.rate, bounds.rate * (1.0 + kLimitSlack));
+        EXPECT_GE(state.rate, -1e-9);
+        EXPECT_LE(std::abs(state.acceleration), bounds.acceleration * (1.0 + kLimitSlack));
+        EXPECT_LE(std::abs(state.acceleration - last.acceleration), bounds.jerk * step * 1.01 + 1e-9);
+        EXPECT_NEAR(state.s - last.s, 0.5 * (state.rate + last.rate) * step,
+                    bounds.jerk * step * step * step + 1e-9);
+        last = state;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Bounds, Profile,
+                         ::testing::Values(PathBounds{0.67, 2.7, 27.0}, PathBounds{10.0, 2.7, 27.0},
+                                           PathBounds{0.67, 2.7, 2.7}, PathBounds{5.0, 50.0, 10.0},
+                                           PathBounds{0.1, 5.0, 100.0}));
+
+TEST(PathTiming, BeginsAndEndsAtRestAndStaysThere) {
+    const PathTiming timing({0.67, 2.7, 27.0}, unlimited);
+    for (const double t : {-1.0, 0.0}) {
+        EXPECT_EQ(timing.at(t).s, 0.0);
+        EXPECT_EQ(timing.at(t).rate, 0.0);
+    }
+    for (const double t : {timing.duration(), timing.duration() + 5.0}) {
+        EXPECT_EQ(timing.at(t).s, 1.0);
+        EXPECT_EQ(timing.at(t).rate, 0.0);
+    }
+    EXPECT_NEAR(timing.at(timing.duration() - 1e-9).s, 1.0, 1e-9);
+}
+
+/// A narrow place on the way: slow there, and nowhere else.
+TEST(PathTiming, FollowsARateLimitAlongTheWay) {
+    const auto narrow = [](double s) { return 0.5 - 0.35 * std::exp(-std::pow((s - 0.5) / 0.1, 2)); };
+    const PathTiming timing({0.67, 2.7, 27.0}, narrow);
+    double slowest = 1.0, maxSpeed = 0.0;
+    for (int i = 0; i <= kSamples; ++i) {
+        const PathTiming::State state = timing.at(timing.duration() * i / kSamples);
+        EXPECT_LE(state.rate, narrow(state.s) * (1.0 + kLimitSlack)) << state.s;
+        if (std::abs(state.s - 0.5) < 0.01)
+            slowest = std::min(slowest, state.rate);
+        maxSpeed = std::max(maxSpeed, state.rate);
+    }
+    EXPECT_GT(slowest, 0.145) << "as fast as it may be in the narrow place";
+    EXPECT_GT(maxSpeed, 0.495);
+    const PathTiming slow({0.15, 2.7, 27.0}, unlimited);
+    EXPECT_LT(timing.duration(), 0.5 * slow.duration()) << "a limit for all of the way takes twice as long";
+}
+
+} // namespace
+} // namespace hexapose

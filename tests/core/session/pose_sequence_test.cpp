@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: MIT
+
+#include "core/session/pose_sequence.h"
+
+#include <gtest/gtest.h>
+
+namespace hexapose {
+namespace {
+
+using namespace std::chrono_literals;
+using Step = PoseSequence::Phase;
+
+Snapshot at(std::chrono::nanoseconds time, std::vector<Event> events = {}) {
+    Snapshot snapshot;
+    snapshot.time = time;
+    snapshot.link = LinkState::Connected;
+    snapshot.state = RunState::Disabled;
+    snapshot.stale = false;
+    snapshot.measuredPose = Pose{};
+    snapshot.events = std::move(events);
+    return snapshot;
+}
+
+std::vector<Pose> twoTargets() {
+    Pose second;
+    second.offset.x() = 0.01;
+    return {Pose{}, second};
+}
+
+TEST(PoseSequence, WaitsForAConnectedPlatformThenVisitsOneAfterTheOther) {
+    PoseSequence sequence(twoTargets(), 1s);
+    Snapshot notYet = at(0s);
+    notYet.stale = true;
+    EXPECT_FALSE(sequence.add(notYet));
+    EXPECT_EQ(sequence.add(at(1s))->offset.x(), 0.0);
+    EXPECT_FALSE(sequence.add(at(2s)));
+    EXPECT_FALSE(sequence.add(at(3s, {{EventCode::Settled}})));
+    EXPECT_EQ(sequence.phase(), Step::Dwelling);
+    EXPECT_FALSE(sequence.add(at(3900ms)));
+    EXPECT_EQ(sequence.add(at(4s))->offset.x(), 0.01);
+    EXPECT_EQ(sequence.finished(), 1u);
+    sequence.add(at(5s, {{EventCode::Settled}}));
+    EXPECT_FALSE(sequence.add(at(6s)));
+    EXPECT_EQ(sequence.phase(), Step::Done);
+    EXPECT_EQ(sequence.finished(), 2u);
+}
+
+TEST(PoseSequence, EndsWithTheReasonWhateverStopsTheMove) {
+    for (const EventCode code :
+         {EventCode::MoveRefused, EventCode::CommandRefused, EventCode::NotSettled, EventCode::StopRequested,
+          EventCode::StoppedByController, EventCode::StoppedOnStaleData, EventCode::StoppedOnSolver,
+          EventCode::ControllerFault, EventCode::LinkLost, EventCode::LoopFailed,
+          EventCode::PreparationFailed, EventCode::StoppedOnFollowingError, EventCode::StoppedOnNoEcho,
+          EventCode::StoppedOnLimits, EventCode::StoppedOnNewIdentity, EventCode::StoppedAfterLoss}) {
+        PoseSequence sequence(twoTargets(), 1s);
+        sequence.add(at(1s));
+        EXPECT_FALSE(sequence.add(at(2s, {{code, 0.0, "why"}})));
+        EXPECT_EQ(sequence.phase(), Step::Failed) << toWord(code);
+        EXPECT_EQ(sequence.failure()->detail, "why");
+        EXPECT_FALSE(sequence.add(at(3s, {{EventCode::Settled}}))) << "a sequence that failed starts nothing";
+    }
+}
+
+TEST(PoseSequence, AnEmptyListIsDoneAtOnce) {
+    PoseSequence sequence({}, 1s);
+    EXPECT_EQ(sequence.phase(), Step::Done);
+    EXPECT_FALSE(sequence.add(at(1s)));
+}
+
+} // namespace
+} // namespace hexapose

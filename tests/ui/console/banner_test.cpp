@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/console/synthetic_machine.h"
+#include "tests/ui/screen_reader.h"
+#include "ui/console/status/banner.h"
+
+#include <QProgressBar>
+
+#include <gtest/gtest.h>
+
+namespace hexapose {
+namespace {
+
+using namespace hexapose::testing;
+
+QString message(Banner& banner) {
+    return spokenText(banner, QStringLiteral("Message"));
+}
+
+TEST(Banner, SpeaksUpForWhatMustNotBeMissedAndIsGoneAfterwards) {
+    const PlatformGeometry geometry = laboratoryPlatform();
+    Banner banner;
+    Snapshot snapshot = snapshotAt(geometry, Pose{}, Pose{}, RunState::Enabled, 1.0);
+    banner.showSnapshot(snapshot, true);
+    EXPECT_TRUE(banner.isHidden());
+    snapshot.stale = true;
+    snapshot.age = std::chrono::milliseconds(3200);
+    banner.showSnapshot(snapshot, true);
+    EXPECT_FALSE(banner.isHidden());
+    EXPECT_TRUE(message(banner).contains(QStringLiteral("3.2 s")));
+    snapshot.link = LinkState::Lost;
+    snapshot.events.push_back({EventCode::LinkLost, 0.0, "Input/output error"});
+    banner.showSnapshot(snapshot, true);
+    EXPECT_TRUE(message(banner).contains(QStringLiteral("Input/output error")));
+    EXPECT_EQ(toneOf(banner), Tone::Bad);
+    snapshot.events.clear();
+    snapshot.link = LinkState::ListenOnly;
+    snapshot.stale = false;
+    banner.showSnapshot(snapshot, true);
+    EXPECT_TRUE(message(banner).contains(QStringLiteral("unprotected")));
+    banner.showLogFailure(QStringLiteral("No space left on device"));
+    EXPECT_TRUE(message(banner).contains(QStringLiteral("No space left")));
+    banner.showLogFailure({});
+    banner.showClosed();
+    EXPECT_TRUE(banner.isHidden());
+}
+
+TEST(Banner, ShowsTheTrainingAndLetsItBeCancelled) {
+    Banner banner;
+    banner.showTraining(0.5);
+    auto* progress = qobject_cast<QProgressBar*>(findByName(banner, QStringLiteral("Training progress")));
+    ASSERT_NE(progress, nullptr);
+    EXPECT_EQ(progress->value() * 2, progress->maximum());
+    EXPECT_FALSE(progress->isHidden());
+    banner.endTraining({});
+    EXPECT_TRUE(banner.isHidden());
+}
+
+} // namespace
+} // namespace hexapose

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/screen_reader.h"
+#include "ui/common/language.h"
+#include "ui/console/status/connection_panel.h"
+
+#include <QComboBox>
+#include <QPushButton>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+namespace hexapose {
+namespace {
+
+using namespace hexapose::testing;
+
+class ConnectionPanelTest : public ::testing::Test {
+protected:
+    ConnectionPanelTest() : panel([this] { return ports; }) {
+        panel.setAvailable(true);
+        panel.show();
+    }
+    template <class Widget = QPushButton>
+    Widget* find(const char* name) {
+        return qobject_cast<Widget*>(findByName(panel, QString::fromLatin1(name)));
+    }
+    QStringList ports{QStringLiteral("/dev/ttyS0")};
+    ConnectionPanel panel;
+};
+
+TEST_F(ConnectionPanelTest, OffersTheVirtualPlatformAndThePortsOfTheMoment) {
+    auto* box = find<QComboBox>("Connection");
+    ASSERT_NE(box, nullptr);
+    EXPECT_TRUE(panel.choice()->virtualPlatform);
+    ports << QStringLiteral("/dev/ttyUSB0");
+    box->showPopup();
+    box->hidePopup();
+    EXPECT_EQ(box->count(), 3);
+    box->setCurrentIndex(2);
+    EXPECT_EQ(panel.choice()->port, "/dev/ttyUSB0");
+    box->setEditText(QStringLiteral("  /dev/pts/7 "));
+    EXPECT_EQ(panel.choice()->port, "/dev/pts/7");
+    EXPECT_EQ(panel.choice()->baud, 115200);
+    find<QComboBox>("Baud rate")->setEditText(QStringLiteral("57600"));
+    EXPECT_EQ(panel.choice()->baud, 57600);
+    for (const char* bad : {"0", "", "-3", "fast"}) {
+        find<QComboBox>("Baud rate")->setEditText(QString::fromLatin1(bad));
+        EXPECT_FALSE(panel.choice()) << bad;
+        EXPECT_FALSE(find("Connect")->isEnabled()) << bad;
+    }
+}
+
+TEST_F(ConnectionPanelTest, ButtonsFollowTheState) {
+    int disconnects = 0;
+    QObject::connect(&panel, &ConnectionPanel::disconnectRequested, [&] { ++disconnects; });
+    panel.setOpen(true);
+    EXPECT_EQ(find("Connect"), nullptr);
+    panel.showState(RunState::Unreferenced);
+    EXPECT_TRUE(find("Reference")->isEnabled());
+    EXPECT_FALSE(find("Enable")->isEnabled());
+    EXPECT_FALSE(find("Clear")->isEnabled());
+    panel.showState(RunState::Enabled);
+    EXPECT_TRUE(find("Disable")->isEnabled());
+    panel.showState(RunState::Stopped);
+    EXPECT_TRUE(find("Clear")->isEnabled());
+    find("Disconnect")->click();
+    EXPECT_EQ(disconnects, 1);
+    panel.setOpen(false);
+    EXPECT_TRUE(find("Connect")->isEnabled());
+    EXPECT_FALSE(find("Reference")->isEnabled());
+}
+
+TEST_F(ConnectionPanelTest, TheSolverIsChosenWhileNothingMoves) {
+    auto* box = find<QComboBox>("Solver");
+    ASSERT_NE(box, nullptr);
+    QStringList chosen;
+    QObject::connect(&panel, &ConnectionPanel::solverChosen, [&](const QString& word) { chosen << word; });
+    panel.setSolver("mpr3-nr");
+    EXPECT_EQ(box->currentText(), "MPR3-NR");
+    EXPECT_TRUE(chosen.isEmpty()) << "shown, not chosen";
+    box->setFocus();
+    QTest::keyClick(box, Qt::Key_End);
+    EXPECT_EQ(box->currentText(), "FSI");
+    EXPECT_EQ(chosen, QStringList{QStringLiteral("fsi")});
+    panel.setOpen(true);
+    for (const RunState state : {RunState::Moving, RunState::Settling}) {
+        panel.showState(state);
+        EXPECT_FALSE(box->isEnabled());
+        EXPECT_NE(box->toolTip().indexOf(QStringLiteral("while the platform moves")), -1);
+        EXPECT_EQ(box->accessibleDescription(), box->toolTip());
+    }
+    for (const RunState state : {RunState::Enabled, RunState::Disabled, RunState::Stopped, RunState::Fault}) {
+        panel.showState(state);
+        EXPECT_TRUE(box->isEnabled());
+        EXPECT_EQ(box->toolTip().indexOf(QStringLiteral("while the platform moves")), -1);
+    }
+    box->setFocus();
+    panel.setSolverPending(true);
+    EXPECT_FALSE(box->isEnabled());
+    EXPECT_EQ(panel.focusWidget(), nullptr) << "and no button is the next key's";
+    EXPECT_NE(box->toolTip().indexOf(QStringLiteral("made ready")), -1);
+    panel.setSolverPending(false);
+    EXPECT_TRUE(box->isEnabled());
+    EXPECT_EQ(panel.focusWidget(), box);
+    panel.setSolver("newton-as-published");
+    EXPECT_EQ(box->currentIndex(), -1);
+    EXPECT_EQ(chosen.size(), 1);
+}
+
+TEST_F(ConnectionPanelTest, VirtualPlatformStaysChosenInAnotherLanguage) {
+    LanguageSwitch language;
+    ASSERT_TRUE(language.choose(QStringLiteral("zh_CN")));
+    QCoreApplication::sendPostedEvents();
+    EXPECT_TRUE(panel.choice()->virtualPlatform);
+    EXPECT_EQ(find<QComboBox>("Connection"), nullptr);
+}
+
+} // namespace
+} // namespace hexapose

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/console/synthetic_machine.h"
+#include "tests/ui/screen_reader.h"
+#include "ui/common/theme.h"
+#include "ui/console/motion/guided_test_panel.h"
+
+#include <QLabel>
+#include <QPushButton>
+
+#include <gtest/gtest.h>
+
+namespace hexapose {
+namespace {
+
+using namespace hexapose::testing;
+
+class GuidedTestTest : public ::testing::Test {
+protected:
+    GuidedTestTest() : geometry(laboratoryPlatform()), panel(geometry) {
+        QObject::connect(&panel, &GuidedTestPanel::runRequested,
+                         [this](const Pose& pose) { asked.push_back(pose); });
+        panel.setSolver(newtonSolver(geometry));
+        panel.setConnected(true);
+        panel.showSnapshot(snapshotAt(geometry, Pose{}, Pose{}, RunState::Enabled, now));
+    }
+    void feed(const Pose& at, RunState state, std::vector<Event> events = {}) {
+        Snapshot snapshot = snapshotAt(geometry, at, published, state, now += 0.01);
+        snapshot.events = std::move(events);
+        panel.add(snapshot);
+    }
+    QPushButton* button() {
+        return qobject_cast<QPushButton*>(findByName(panel, QStringLiteral("Guided test")));
+    }
+    QString spoken(const char* name) { return spokenText(panel, QString::fromLatin1(name)); }
+    int activeStep() {
+        const auto lamps = panel.findChildren<QLabel*>(QStringLiteral("lamp"));
+        for (int i = 0; i < lamps.size(); ++i) {
+            if (toneOf(*lamps[i]) == Tone::Warn) {
+                return i;
+            }
+        }
+        return -1;
+    }
+
+    PlatformGeometry geometry;
+    GuidedTestPanel panel;
+    const Pose published = poseOf(12, -4, 40, 0, 0, 5);
+    std::vector<Pose> asked;
+    double now = 0.0;
+};
+
+TEST_F(GuidedTestTest, GoesThereSettlesAveragesSolvesAndCompares) {
+    button()->click();
+    EXPECT_FALSE(button()->isEnabled());
+    feed(Pose{}, RunState::Enabled);
+    ASSERT_EQ(asked.size(), 1U);
+    EXPECT_TRUE(asked[0].toVector().isApprox(published.toVector(), 1e-12));
+    EXPECT_EQ(activeStep(), 0);
+    const Pose there = poseOf(12.002, -4, 40, 0, 0, 5.01);
+    feed(there, RunState::Moving);
+    feed(there, RunState::Settling);
+    EXPECT_EQ(activeStep(), 1);
+    feed(there, RunState::Enabled, {{EventCode::Settled, 1.0, {}}});
+    EXPECT_EQ(activeStep(), 2);
+    for (int i = 0; i < 120; ++i) {
+        feed(there, RunState::Enabled);
+    }
+    EXPECT_FALSE(panel.isRunning());
+    EXPECT_EQ(spoken("Test target x"), "12.000");
+    EXPECT_EQ(spoken("Test measured x"), "12.002");
+    EXPECT_EQ(spoken("Test error x"), "0.002");
+    EXPECT_EQ(spoken("Test error gamma"), "0.010");
+    EXPECT_GT(spoken("Test length 1").toDouble(), 300.0);
+    EXPECT_TRUE(spoken("Test progress").startsWith(QStringLiteral("Done")))
+        << spoken("Test progress").toStdString();
+    EXPECT_TRUE(button()->isEnabled());
+    EXPECT_EQ(asked.size(), 1U);
+}
+
+TEST_F(GuidedTestTest, StopAndAFailureEndItWithoutAResult) {
+    button()->click();
+    feed(Pose{}, RunState::Enabled);
+    panel.stopped();
+    EXPECT_FALSE(panel.isRunning());
+    EXPECT_EQ(activeStep(), -1);
+    EXPECT_EQ(spoken("Test measured x"), "--");
+    EXPECT_TRUE(spoken("Test progress").contains(QStringLiteral("Stop")));
+    button()->click();
+    feed(Pose{}, RunState::Enabled);
+    feed(Pose{}, RunState::Moving, {{EventCode::ControllerFault, 0.0, "overheated"}});
+    EXPECT_FALSE(panel.isRunning());
+    EXPECT_TRUE(spoken("Test progress").contains(QStringLiteral("overheated")));
+}
+
+TEST(GuidedAttitude, IsSmallerWhereTheMachineReachesLess) {
+    PlatformGeometry small = laboratoryPlatform();
+    for (Leg& leg : small.legs) {
+        leg.minLength = 0.290;
+        leg.maxLength = 0.312;
+    }
+    const MoveJudge judge(small);
+    const auto attitude = guidedAttitude(judge, Pose{}, MotionMode::Workspace);
+    ASSERT_TRUE(attitude);
+    EXPECT_TRUE(judge.move(Pose{}, *attitude, MotionMode::Workspace).ok());
+    EXPECT_LT(attitude->offset[2], 0.040);
+    EXPECT_GT(attitude->offset[2], 0.001);
+}
+
+} // namespace
+} // namespace hexapose

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/console/synthetic_machine.h"
+#include "tests/ui/screen_reader.h"
+#include "ui/common/pose_field.h"
+#include "ui/console/motion/guided_test_panel.h"
+#include "ui/console/motion/jog_panel.h"
+#include "ui/console/motion/motion_panel.h"
+#include "ui/console/motion/speed_control.h"
+#include "ui/console/motion/target_panel.h"
+#include "ui/console/motion/way_point_table.h"
+#include "ui/console/motion/way_points_panel.h"
+
+#include <QComboBox>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+namespace hexapose {
+namespace {
+
+using namespace hexapose::testing;
+
+class MotionPanelTest : public ::testing::Test {
+protected:
+    MotionPanelTest() : geometry(laboratoryPlatform()), panel(geometry) {
+        QObject::connect(&panel, &MotionPanel::commandRequested,
+                         [this](const OperatorCommand& command) { commands.push_back(command); });
+        panel.show();
+        live();
+        commands.clear();
+    }
+    void live() {
+        panel.setConnected(true);
+        panel.showSnapshot(snapshotAt(geometry, Pose{}, Pose{}, RunState::Enabled, 1.0));
+    }
+    QPushButton* button(const char* name) {
+        return qobject_cast<QPushButton*>(findByName(panel, QString::fromLatin1(name)));
+    }
+
+    PlatformGeometry geometry;
+    MotionPanel panel;
+    std::vector<OperatorCommand> commands;
+};
+
+TEST_F(MotionPanelTest, ModeGoesWithRunAndChangingItStartsNothing) {
+    auto* mode = qobject_cast<QComboBox*>(findByName(panel, QStringLiteral("Mode")));
+    ASSERT_NE(mode, nullptr);
+    EXPECT_EQ(panel.mode(), MotionMode::Joint);
+    mode->setCurrentIndex(1);
+    EXPECT_TRUE(commands.empty());
+    button("Run")->click();
+    mode->setCurrentIndex(0);
+    button("Run")->click();
+    ASSERT_EQ(commands.size(), 2U);
+    EXPECT_EQ(std::get<RunCommand>(commands[0]).mode, MotionMode::Workspace);
+    EXPECT_EQ(std::get<RunCommand>(commands[1]).mode, MotionMode::Joint);
+}
+
+TEST_F(MotionPanelTest, SpeedIsSentAsItIsChosenAndAgainWhereTheLoopHasAnother) {
+    auto* slider = qobject_cast<QSlider*>(findByName(panel, QStringLiteral("Speed")));
+    ASSERT_NE(slider, nullptr);
+    EXPECT_EQ(slider->minimum(), 5);
+    EXPECT_EQ(slider->maximum(), 100);
+    slider->setValue(25);
+    ASSERT_EQ(commands.size(), 1U);
+    EXPECT_DOUBLE_EQ(std::get<SpeedCommand>(commands[0]).part, 0.25);
+    EXPECT_EQ(spokenText(panel, QStringLiteral("Speed in force")), "25 %");
+    panel.sessionOpened();
+    ASSERT_EQ(commands.size(), 2U);
+    EXPECT_DOUBLE_EQ(std::get<SpeedCommand>(commands[1]).part, 0.25);
+    Snapshot other = snapshotAt(geometry, Pose{}, Pose{}, RunState::Enabled, 1.0);
+    other.speed = 1.0;
+    ASSERT_TRUE(QTest::qWaitFor([&] {
+        panel.showSnapshot(other);
+        return commands.size() > 2;
+    }));
+    EXPECT_DOUBLE_EQ(std::get<SpeedCommand>(commands[2]).part, 0.25);
+}
+
+TEST_F(MotionPanelTest, HeldIsZeroAndThenTheOldSpeed) {
+    panel.speed().setHeld(true);
+    panel.speed().setHeld(false);
+    ASSERT_EQ(commands.size(), 2U);
+    EXPECT_EQ(std::get<SpeedCommand>(commands[0]).part, 0.0);
+    EXPECT_EQ(std::get<SpeedCommand>(commands[1]).part, 1.0);
+}
+
+TEST_F(MotionPanelTest, OneMotionAtATime) {
+    QSignalSpy begins(&panel, &MotionPanel::motionBegins);
+    const auto play = [this] {
+        panel.wayPoints().table().setPoses({poseOf(1, 0, 0, 0, 0, 0), poseOf(2, 0, 0, 0, 0, 0)});
+        panel.wayPoints().play();
+        EXPECT_TRUE(panel.wayPoints().isRunning());
+    };
+    play();
+    emit panel.jog().jogRequested({});
+    EXPECT_FALSE(panel.wayPoints().isRunning());
+    ASSERT_FALSE(commands.empty());
+    EXPECT_TRUE(std::holds_alternative<JogCommand>(commands.back()));
+    play();
+    button("Run")->click();
+    EXPECT_FALSE(panel.wayPoints().isRunning());
+    play();
+    emit panel.guidedTest().started();
+    EXPECT_FALSE(panel.wayPoints().isRunning());
+    EXPECT_EQ(begins.count(), 6) << "a report ends by each of them";
+}
+
+TEST_F(MotionPanelTest, StopIsAlwaysThereAndOnOneKey) {
+    QSignalSpy stops(&panel, &MotionPanel::stopRequested);
+    panel.setConnected(false);
+    EXPECT_TRUE(button("Stop")->isEnabled());
+    button("Stop")->click();
+    panel.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&panel));
+    for (const auto page :
+         {MotionPanel::Target, MotionPanel::Jog, MotionPanel::WayPoints, MotionPanel::Test}) {
+        panel.showPage(page);
+        EXPECT_TRUE(button("Stop")->isVisible()) << page;
+        QTest::keyClick(&panel, Qt::Key_Escape);
+    }
+    EXPECT_EQ(stops.count(), 5);
+}
+
+} // namespace
+} // namespace hexapose

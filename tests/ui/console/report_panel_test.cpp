@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/console/synthetic_machine.h"
+#include "tests/ui/screen_reader.h"
+#include "ui/console/report/report_panel.h"
+
+#include <QFileInfo>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+namespace hexapose {
+namespace {
+
+using namespace hexapose::testing;
+
+class ReportPanelTest : public ::testing::Test {
+protected:
+    ReportPanelTest() : geometry(laboratoryPlatform()), panel(geometry) {
+        panel.setSolver(newtonSolver(geometry));
+        panel.setConnected(true);
+        panel.setDefaultFolder(folder.path() + QStringLiteral("/run-report"));
+        QObject::connect(&panel, &ReportPanel::runRequested, [this](const Pose& pose) { asked = pose; });
+    }
+
+    /// A move to a pose, settled, and `standing` seconds of standing there.
+    void move(const Pose& to, double standing = 1.5) {
+        panel.add(snapshotAt(geometry, to, to, RunState::Moving, now += 0.01));
+        Snapshot settled = snapshotAt(geometry, to, to, RunState::Enabled, now += 0.01);
+        settled.events.push_back({EventCode::Settled, 1.0, {}});
+        panel.add(settled);
+        for (double t = 0.0; t < standing; t += 0.01) {
+            panel.add(snapshotAt(geometry, to, to, RunState::Enabled, now += 0.01));
+        }
+    }
+    QPushButton* button(const char* name) {
+        return qobject_cast<QPushButton*>(findByName(panel, QString::fromLatin1(name)));
+    }
+
+    PlatformGeometry geometry;
+    QTemporaryDir folder;
+    ReportPanel panel;
+    std::optional<Pose> asked;
+    double now = 0.0;
+};
+
+constexpr int kReportPatienceMs = 60000;
+
+/// The files are written on a thread of their own.
+bool comes(QSignalSpy& signal) {
+    return signal.count() == 1 || signal.wait(kReportPatienceMs);
+}
+
+TEST_F(ReportPanelTest, ASettledRunIsASampleAndIsExportedBesideTheLog) {
+    QSignalSpy exported(&panel, &ReportPanel::exported);
+    move(poseOf(12, -4, 40, 0, 0, 5));
+    ASSERT_EQ(panel.sampleCount(), 1);
+    auto* table = qobject_cast<QTableWidget*>(findByName(panel, QStringLiteral("Samples")));
+    EXPECT_EQ(table->item(0, 3)->text(), "40.00");
+    panel.exportReport();
+    ASSERT_TRUE(comes(exported));
+    for (const char* file : {"report.pdf", "errors.csv", "errors.png", "errors.svg"}) {
+        const QFileInfo info(folder.path() + QStringLiteral("/run-report/") + QString::fromLatin1(file));
+        EXPECT_GT(info.size(), 0) << file;
+        EXPECT_TRUE(spokenText(panel, QStringLiteral("Report files")).contains(info.filePath())) << file;
+    }
+}
+
+TEST_F(ReportPanelTest, ExportBeforeTheFirstSampleHappensWithIt) {
+    QSignalSpy exported(&panel, &ReportPanel::exported);
+    QSignalSpy noted(&panel, &ReportPanel::noted);
+    panel.exportReport();
+    EXPECT_EQ(exported.count(), 0);
+    EXPECT_EQ(noted.count(), 1);
+    move(poseOf(5, 0, 0, 0, 0, 0));
+    EXPECT_TRUE(comes(exported));
+}
+
+TEST_F(ReportPanelTest, ListIsRunThroughOneByOne) {
+    QSignalSpy finished(&panel, &ReportPanel::finished);
+    const std::vector<Pose> list{poseOf(1, 0, 0, 0, 0, 0), poseOf(2, 0, 0, 0, 0, 0),
+                                 poseOf(3, 0, 0, 0, 0, 0)};
+    panel.runList(list);
+    EXPECT_FALSE(button("Run report")->isEnabled());
+    panel.add(snapshotAt(geometry, Pose{}, Pose{}, RunState::Enabled, now));
+    for (const Pose& pose : list) {
+        ASSERT_TRUE(asked);
+        EXPECT_TRUE(asked->toVector().isApprox(pose.toVector()));
+        asked.reset();
+        move(pose);
+    }
+    ASSERT_EQ(finished.count(), 1);
+    EXPECT_TRUE(finished.first().first().toBool());
+    EXPECT_EQ(panel.sampleCount(), 3);
+    EXPECT_FALSE(panel.isRunning());
+    EXPECT_TRUE(button("Run report")->isEnabled());
+}
+
+TEST_F(ReportPanelTest, AnotherMotionEndsTheListAndThatIsTold) {
+    panel.runReport();
+    panel.cancel();
+    EXPECT_FALSE(panel.isRunning());
+    panel.add(snapshotAt(geometry, Pose{}, Pose{}, RunState::Enabled, now));
+    EXPECT_TRUE(spokenText(panel, QStringLiteral("Report progress")).contains(QStringLiteral("Ended early")));
+}
+
+TEST_F(ReportPanelTest, RefusedMoveEndsTheList) {
+    QSignalSpy finished(&panel, &ReportPanel::finished);
+    panel.runReport();
+    Snapshot snapshot = snapshotAt(geometry, Pose{}, Pose{}, RunState::Enabled, now);
+    panel.add(snapshot);
+    ASSERT_TRUE(asked); // the first of the default list
+    EXPECT_LE(asked->offset.cwiseAbs().maxCoeff(), 0.010);
+    snapshot.events.push_back({EventCode::MoveRefused, 0.0, "leg 3 above max_mm"});
+    panel.add(snapshot);
+    ASSERT_EQ(finished.count(), 1);
+    EXPECT_FALSE(finished.first().first().toBool());
+    EXPECT_TRUE(spokenText(panel, QStringLiteral("Report progress")).contains(QStringLiteral("Leg 3")));
+}
+
+TEST_F(ReportPanelTest, FolderThatCannotBeWrittenIsTold) {
+    QSignalSpy exported(&panel, &ReportPanel::exported);
+    move(poseOf(5, 0, 0, 0, 0, 0));
+    panel.setFolder(QStringLiteral("/proc/none/of/this"));
+    panel.exportReport();
+    const auto told = [&] {
+        return spokenText(panel, QStringLiteral("Report files")).contains(QStringLiteral("/proc/none"));
+    };
+    EXPECT_TRUE(QTest::qWaitFor(told, kReportPatienceMs));
+    EXPECT_EQ(exported.count(), 0);
+}
+
+} // namespace
+} // namespace hexapose

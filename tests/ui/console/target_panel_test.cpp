@@ -1,0 +1,276 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/kinematics/inverse_kinematics.h"
+#include "tests/ui/console/synthetic_machine.h"
+#include "tests/ui/screen_reader.h"
+#include "ui/common/pose_field.h"
+#include "ui/common/status_text.h"
+#include "ui/console/events/motion_check_text.h"
+#include "ui/console/motion/axis_range.h"
+#include "ui/console/motion/named_poses.h"
+#include "ui/console/motion/target_panel.h"
+
+#include <QComboBox>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+namespace hexapose {
+namespace {
+
+using namespace hexapose::testing;
+
+class TargetPanelTest : public ::testing::Test {
+protected:
+    TargetPanelTest() : geometry(laboratoryPlatform()), panel(geometry) { panel.show(); }
+
+    void type(const char* field, const char* text) {
+        auto* found = qobject_cast<PoseField*>(findByName(panel, QString::fromLatin1(field)));
+        ASSERT_NE(found, nullptr) << field;
+        found->selectAll();
+        QTest::keyClicks(found, QString::fromLatin1(text));
+    }
+    QPushButton* button(const char* name) {
+        return qobject_cast<QPushButton*>(findByName(panel, QString::fromLatin1(name)));
+    }
+    QString validity() { return spokenText(panel, QStringLiteral("Validity")); }
+    void live(const Pose& pose) {
+        panel.showSnapshot(snapshotAt(geometry, pose, pose, RunState::Enabled, 1.0));
+        panel.setConnected(true);
+    }
+
+    PlatformGeometry geometry;
+    TargetPanel panel;
+};
+
+TEST_F(TargetPanelTest, RunIsDisabledWithItsReasonWhileTheStateIsNotKnown) {
+    live(Pose{});
+    EXPECT_TRUE(button("Run")->isEnabled());
+    EXPECT_EQ(validity(), "Reachable");
+    const Snapshot good = snapshotAt(geometry, Pose{}, Pose{}, RunState::Disabled, 1.0);
+    Snapshot old = good;
+    old.stale = true;
+    Snapshot plain = good;
+    plain.link = LinkState::ListenOnly;
+    for (const auto& [snapshot, word] : {std::pair(old, "measurement"), std::pair(plain, "no commands")}) {
+        panel.showSnapshot(snapshot);
+        EXPECT_FALSE(button("Run")->isEnabled()) << word;
+        EXPECT_TRUE(button("Run")->toolTip().contains(QString::fromLatin1(word)));
+        EXPECT_TRUE(validity().contains(QString::fromLatin1(word))) << validity().toStdString();
+    }
+    panel.showSnapshot(good);
+    EXPECT_TRUE(button("Run")->isEnabled());
+    EXPECT_EQ(validity(), "Reachable");
+    panel.setConnected(false);
+    EXPECT_FALSE(button("Run")->isEnabled());
+    EXPECT_TRUE(button("Run")->toolTip().contains(QStringLiteral("nothing is connected")));
+    EXPECT_TRUE(validity().contains(QStringLiteral("nothing is connected")));
+    type("Target z", "200"); // the target is judged all the same
+    EXPECT_TRUE(validity().contains(QStringLiteral("above its maximum"))) << validity().toStdString();
+}
+
+TEST_F(TargetPanelTest, TheNameOfAPoseHasAnEditorOfThatName) {
+    auto* box = panel.namedPoses().findChild<QComboBox*>();
+    ASSERT_NE(box, nullptr);
+    box->setEditText(QStringLiteral("high"));
+    EXPECT_EQ(box->lineEdit()->accessibleName(), "Pose name");
+    EXPECT_EQ(spokenText(box->lineEdit()), "high");
+}
+
+TEST_F(TargetPanelTest, AWrongFieldIsMarkedAsLongAsItIs) {
+    auto* z = qobject_cast<PoseField*>(findByName(panel, QStringLiteral("Target z")));
+    ASSERT_NE(z, nullptr);
+    type("Target z", "-");
+    EXPECT_TRUE(z->property("wrong").toBool());
+    panel.setTarget(Pose{}); // the value it had before
+    EXPECT_TRUE(z->isComplete());
+    EXPECT_FALSE(z->property("wrong").toBool());
+}
+
+TEST_F(TargetPanelTest, RunWaitsForClearAfterAStopOrFault) {
+    live(Pose{});
+    for (const RunState state : {RunState::Stopped, RunState::Fault}) {
+        panel.showSnapshot(snapshotAt(geometry, Pose{}, Pose{}, state, 1.0));
+        EXPECT_FALSE(button("Run")->isEnabled());
+        EXPECT_TRUE(validity().contains(QStringLiteral("Clear"))) << validity().toStdString();
+    }
+    panel.showSnapshot(snapshotAt(geometry, Pose{}, Pose{}, RunState::Disabled, 1.0));
+    EXPECT_TRUE(button("Run")->isEnabled());
+}
+
+TEST_F(TargetPanelTest, ValidityFollowsTheTypingAndSaysWhyNot) {
+    EXPECT_EQ(validity(), "Reachable, but nothing is connected");
+    panel.setConnected(true);
+    EXPECT_EQ(validity(), "Reachable");
+    type("Target z", "200");
+    ASSERT_TRUE(panel.check());
+    EXPECT_FALSE(panel.check()->ok());
+    EXPECT_TRUE(validity().contains(QStringLiteral("above its maximum 350 mm"))) << validity().toStdString();
+    type("Target z", "-");
+    EXPECT_FALSE(panel.check());
+    EXPECT_EQ(validity(), "Target z is not a number");
+    type("Target z", "40");
+    EXPECT_EQ(validity(), "Reachable");
+}
+
+TEST_F(TargetPanelTest, LimitsOfTheControllerNarrowThoseOfThePlatform) {
+    Snapshot snapshot = snapshotAt(geometry, Pose{}, Pose{}, RunState::Enabled, 1.0);
+    const LegLengths home = geometry.homeLengths();
+    snapshot.maxLength = home.maxCoeff() + 0.001;
+    panel.showSnapshot(snapshot);
+    type("Target z", "30");
+    EXPECT_EQ(panel.check()->reason, MotionCheck::Reason::LegAboveMax);
+    EXPECT_NEAR(panel.check()->bound, *snapshot.maxLength, 1e-12);
+}
+
+TEST_F(TargetPanelTest, RunGivesTheTypedTargetAndOnlyAWholeOne) {
+    QSignalSpy runs(&panel, &TargetPanel::runRequested);
+    std::optional<Pose> asked;
+    QObject::connect(&panel, &TargetPanel::runRequested, [&](const Pose& pose) { asked = pose; });
+    EXPECT_FALSE(button("Run")->isEnabled());
+    live(Pose{});
+    const std::pair<const char*, const char*> typed[] = {{"Target x", "12"},   {"Target y", "-4"},
+                                                         {"Target z", "40"},   {"Target alpha", "0"},
+                                                         {"Target beta", "0"}, {"Target gamma", "5"}};
+    for (const auto& [field, text] : typed) {
+        type(field, text);
+    }
+    button("Run")->click();
+    ASSERT_TRUE(asked);
+    EXPECT_TRUE(asked->toVector().isApprox(poseOf(12, -4, 40, 0, 0, 5).toVector(), 1e-12));
+    type("Target beta", "-");
+    button("Run")->click();
+    EXPECT_EQ(runs.count(), 1);
+}
+
+TEST_F(TargetPanelTest, ResetAndCopyFillTheFieldsAndMoveNothing) {
+    QSignalSpy runs(&panel, &TargetPanel::runRequested);
+    EXPECT_FALSE(button("Copy measured")->isEnabled());
+    const Pose here = poseOf(1.5, 2.25, -3, 1, 0.5, -2);
+    live(here);
+    button("Copy measured")->click();
+    EXPECT_TRUE(panel.target()->toVector().isApprox(here.toVector(), 1e-6));
+    EXPECT_EQ(spokenText(panel, QStringLiteral("Target y")), "2.25");
+    button("Reset")->click();
+    EXPECT_TRUE(panel.target()->toVector().isZero());
+    EXPECT_EQ(runs.count(), 0);
+}
+
+TEST_F(TargetPanelTest, PosesAreKeptChosenReplacedAndRemovedByTheirNames) {
+    QSignalSpy runs(&panel, &TargetPanel::runRequested);
+    QSignalSpy changes(&panel.namedPoses(), &NamedPoses::changed);
+    auto* box = qobject_cast<QComboBox*>(findByName(panel, QStringLiteral("Pose name")));
+    ASSERT_NE(box, nullptr);
+    live(Pose{});
+    EXPECT_FALSE(button("Keep pose")->isEnabled());
+    const auto keep = [&](const char* name, const char* z) {
+        type("Target z", z);
+        box->setFocus();
+        box->lineEdit()->selectAll();
+        QTest::keyClicks(box->lineEdit(), QString::fromUtf8(name));
+        button("Keep pose")->click();
+    };
+    keep("loading", "30");
+    keep("a scan", "-5");
+    keep("loading", "31");
+    ASSERT_EQ(panel.namedPoses().poses().size(), 2U);
+    EXPECT_EQ(panel.namedPoses().poses()[0].name, QStringLiteral("a scan"));
+    EXPECT_NEAR(panel.namedPoses().poses()[1].pose.offset[2], 0.031, 1e-12);
+
+    box->setFocus();
+    QTest::keyClick(box, Qt::Key_Up); // the first of two
+    EXPECT_NEAR(panel.target()->offset[2], -0.005, 1e-12);
+    type("Target z", "-");
+    EXPECT_FALSE(button("Keep pose")->isEnabled()) << "there is no whole pose to keep";
+    EXPECT_TRUE(button("Remove pose")->isEnabled());
+    button("Remove pose")->click();
+    EXPECT_FALSE(button("Remove pose")->isEnabled());
+    EXPECT_EQ(panel.namedPoses().poses().size(), 1U);
+    EXPECT_EQ(changes.count(), 4);
+    EXPECT_EQ(runs.count(), 0);
+}
+
+TEST_F(TargetPanelTest, TheLampJudgesTheWayOfTheMode) {
+    // The legs' own way keeps every stroke; on the straight one a leg would be too short in the middle.
+    live(poseOf(-60, 60, -35, 0, 0, -21.5));
+    panel.setTarget(poseOf(-17, -73, -34.5, 0, 0, -25.5));
+    ASSERT_TRUE(panel.check());
+    EXPECT_TRUE(panel.check()->ok()) << toWords(*panel.check());
+    panel.setMode(MotionMode::Workspace);
+    EXPECT_EQ(panel.check()->reason, MotionCheck::Reason::LegBelowMin);
+    EXPECT_LT(panel.check()->fraction, 1.0);
+    EXPECT_TRUE(validity().contains(QStringLiteral("% of the way"))) << validity().toStdString();
+    panel.setMode(MotionMode::Joint);
+    EXPECT_EQ(validity(), "Reachable");
+}
+
+TEST(AxisRange, EndsWhereALegMeetsItsStroke) {
+    constexpr double kMetres = 2e-4; // of the bisection
+    const PlatformGeometry geometry = laboratoryPlatform();
+    const MotionLimits limits = motionLimits(geometry, {}, {});
+    for (int axis = 0; axis < 6; ++axis) {
+        const auto range = axisRange(geometry, limits, Pose{}, axis);
+        ASSERT_TRUE(range);
+        for (const double end : {range->first, range->second}) {
+            PoseVector at = PoseVector::Zero();
+            at[axis] = end;
+            const LegLengths lengths = legLengths(geometry, Pose::fromVector(at));
+            const double gap =
+                std::min((limits.maxLength - lengths).minCoeff(), (lengths - limits.minLength).minCoeff());
+            EXPECT_GE(gap, 0.0) << axis;
+            EXPECT_LT(gap, kMetres) << axis;
+        }
+    }
+    EXPECT_FALSE(axisRange(geometry, limits, poseOf(0, 0, 300, 0, 0, 0), 0));
+}
+
+TEST(AxisRange, OfAJogEndsWhereTheJogWould) {
+    constexpr double kMetres = 2e-4; // of the bisection
+    const MoveJudge judge(laboratoryPlatform());
+    const Pose here = poseOf(3, -2, 5, 4, -3, 10);
+    for (const JogFrame frame : {JogFrame::Base, JogFrame::Platform}) {
+        for (int axis = 0; axis < 6; ++axis) {
+            const JogDirection direction{axis, axis % 2 == 0, frame};
+            const auto way = jogRange(judge, here, direction);
+            ASSERT_TRUE(way);
+            EXPECT_TRUE(judge.pose(stepped(here, direction, *way)).ok()) << axis;
+            EXPECT_FALSE(judge.pose(stepped(here, direction, *way + kMetres)).ok()) << axis;
+        }
+    }
+    EXPECT_FALSE(jogRange(judge, poseOf(0, 0, 300, 0, 0, 0), {}));
+}
+
+TEST(MotionCheckText, NamesLegLimitAndExcess) {
+    const MotionCheck above{MotionCheck::Reason::LegAboveMax, 3, 0.3612, 0.350, 1.0};
+    EXPECT_EQ(motionCheckText(above), "Leg 3 would be 361.2 mm, above its maximum 350 mm (by 11.2 mm)");
+    const MotionCheck below{MotionCheck::Reason::LegBelowMin, 2, 0.24999, 0.250, 1.0};
+    EXPECT_EQ(motionCheckText(below), "Leg 2 would be 249.9900 mm, below its minimum 250 mm (by 0.0100 mm)");
+    const MotionCheck path{MotionCheck::Reason::PathNearSingular, 0, 0.01, 0.05, 0.63};
+    EXPECT_TRUE(motionCheckText(path).contains(QStringLiteral("63 %")));
+    MotionCheck outside{MotionCheck::Reason::OutsideEnvelope, 0, 0.2, 0.1, 1.0, 5};
+    EXPECT_TRUE(motionCheckText(outside).startsWith(coordinateTexts()[4].symbol))
+        << motionCheckText(outside).toStdString();
+    const MotionCheck fast{MotionCheck::Reason::LegSpeed, 4, 0.09, 0.08, 0.12};
+    EXPECT_EQ(motionCheckText(fast),
+              "Leg 4 would move at 90.0 mm/s, faster than its 80.0 mm/s, at 12 % of the way");
+    const MotionCheck aboveOnTheWay{MotionCheck::Reason::LegAboveMax, 3, 0.3612, 0.350, 0.3};
+    EXPECT_EQ(motionCheckTextFromWords(QString::fromStdString(toWords(aboveOnTheWay))),
+              "Leg 3 would be above its maximum, at 30 % of the way");
+    for (const MotionCheck& check :
+         {above, below, path, outside, fast,
+          MotionCheck{MotionCheck::Reason::LegAcceleration, 4, 1.2, 1.0, 0.12},
+          MotionCheck{MotionCheck::Reason::WrongSideOfSingularity, 0, -0.1, 0.02, 0.5},
+          MotionCheck{MotionCheck::Reason::NearSingular, 0, 0.01, 0.05, 1.0},
+          MotionCheck{MotionCheck::Reason::OtherAssemblyMode, 0, 0, 0, 1.0},
+          MotionCheck{MotionCheck::Reason::NotFinite, 0, 0, 0, 1.0}}) {
+        const QString words = QString::fromStdString(toWords(check));
+        EXPECT_NE(motionCheckTextFromWords(words), words); // an event's words are known
+    }
+    EXPECT_EQ(motionCheckTextFromWords(QStringLiteral("of a newer engine")), "of a newer engine");
+}
+
+} // namespace
+} // namespace hexapose

@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/record/pose_list.h"
+#include "tests/ui/console/synthetic_machine.h"
+#include "tests/ui/screen_reader.h"
+#include "ui/console/motion/way_point_table.h"
+#include "ui/console/motion/way_points_panel.h"
+
+#include <QFile>
+#include <QPushButton>
+#include <QTemporaryDir>
+
+#include <gtest/gtest.h>
+
+namespace hexapose {
+namespace {
+
+using namespace hexapose::testing;
+
+class WayPointsTest : public ::testing::Test {
+protected:
+    WayPointsTest() : geometry(laboratoryPlatform()), panel(geometry) {
+        QObject::connect(&panel, &WayPointsPanel::runRequested,
+                         [this](const Pose& pose) { asked.push_back(pose); });
+        QObject::connect(&panel, &WayPointsPanel::holdRequested, [this](bool on) { holds.push_back(on); });
+        panel.show();
+        panel.setConnected(true);
+        panel.showSnapshot(snapshotAt(geometry, Pose{}, Pose{}, RunState::Enabled, now));
+    }
+    void feed(const Pose& at, RunState state, std::vector<Event> events = {}) {
+        Snapshot snapshot = snapshotAt(geometry, at, at, state, now += 0.01);
+        snapshot.events = std::move(events);
+        panel.add(snapshot);
+    }
+    QPushButton* button(const char* name) {
+        return qobject_cast<QPushButton*>(findByName(panel, QString::fromLatin1(name)));
+    }
+    std::string message() { return spokenText(panel, QStringLiteral("Way-point progress")).toStdString(); }
+    void settleAt(const Pose& pose) {
+        feed(pose, RunState::Moving);
+        feed(pose, RunState::Enabled, {{EventCode::Settled, 1.0, {}}});
+    }
+
+    PlatformGeometry geometry;
+    WayPointsPanel panel;
+    std::vector<Pose> asked;
+    std::vector<bool> holds;
+    const std::vector<Pose> three{poseOf(5, 0, 0, 0, 0, 0), poseOf(5, 5, 0, 0, 0, 0),
+                                  poseOf(0, 5, 0, 0, 0, 2)};
+    double now = 0.0;
+};
+
+TEST_F(WayPointsTest, PlayVisitsThemAllOneAfterTheOther) {
+    panel.table().setPoses(three);
+    button("Play")->click();
+    feed(Pose{}, RunState::Enabled);
+    for (std::size_t i = 0; i < three.size(); ++i) {
+        ASSERT_EQ(asked.size(), i + 1);
+        EXPECT_TRUE(asked[i].toVector().isApprox(three[i].toVector(), 1e-9));
+        EXPECT_EQ(panel.table().marked(), static_cast<int>(i));
+        EXPECT_NE(message().find("way-point " + std::to_string(i + 1) + " of 3"), std::string::npos)
+            << message();
+        settleAt(three[i]);
+    }
+    EXPECT_FALSE(panel.isRunning());
+    EXPECT_EQ(panel.table().marked(), -1);
+    EXPECT_EQ(message(), "All 3 way-points visited");
+    EXPECT_EQ(asked.size(), 3U);
+}
+
+TEST_F(WayPointsTest, StepVisitsTheNextOneOnly) {
+    panel.table().setPoses(three);
+    for (const std::size_t expected : {0U, 1U, 2U, 0U}) {
+        button("Step")->click();
+        feed(Pose{}, RunState::Enabled);
+        ASSERT_FALSE(asked.empty());
+        EXPECT_TRUE(asked.back().toVector().isApprox(three[expected].toVector(), 1e-9));
+        settleAt(three[expected]);
+        EXPECT_FALSE(panel.isRunning());
+    }
+    EXPECT_EQ(asked.size(), 4U);
+}
+
+TEST_F(WayPointsTest, ABadRowIsNamedBeforeAnythingMoves) {
+    panel.table().setPoses({three[0], poseOf(0, 0, 200, 0, 0, 0), three[2]});
+    button("Play")->click();
+    EXPECT_FALSE(panel.isRunning());
+    EXPECT_EQ(message().rfind("Row 2: Leg ", 0), 0U) << message();
+    panel.table().setPoses(three);
+    panel.table().item(2, 1)->setText(QStringLiteral("5,5"));
+    button("Play")->click();
+    EXPECT_EQ(message(), "Row 3: y is not a number. Nothing moved.");
+    feed(Pose{}, RunState::Enabled);
+    EXPECT_TRUE(asked.empty());
+}
+
+TEST_F(WayPointsTest, PauseHoldsAndReleases) {
+    panel.table().setPoses(three);
+    EXPECT_FALSE(button("Pause motion")->isEnabled());
+    button("Play")->click();
+    feed(Pose{}, RunState::Enabled);
+    feed(Pose{}, RunState::Moving);
+    button("Pause motion")->click();
+    button("Pause motion")->click();
+    EXPECT_EQ(holds, (std::vector<bool>{true, false}));
+    button("Pause motion")->click();
+    panel.stopped();
+    EXPECT_EQ(holds, (std::vector<bool>{true, false, true, false})) << "a stop leaves nothing held";
+    EXPECT_FALSE(button("Pause motion")->isChecked());
+}
+
+TEST_F(WayPointsTest, ARefusalAFaultAndAStopEndItWithTheirReason) {
+    const std::pair<Event, const char*> ends[] = {
+        {{EventCode::MoveRefused, 0.0, "leg 3 above max_mm"}, "Leg 3 would be above"},
+        {{EventCode::ControllerFault, 0.0, "overheated"}, "overheated"},
+        {{EventCode::StoppedOnStaleData, 0.0, {}}, "the measurements stayed away"}};
+    for (const auto& [event, words] : ends) {
+        asked.clear();
+        panel.table().setPoses(three);
+        button("Play")->click();
+        feed(Pose{}, RunState::Enabled);
+        settleAt(three[0]);
+        feed(three[0], RunState::Moving, {event});
+        EXPECT_FALSE(panel.isRunning());
+        EXPECT_NE(message().find("way-point 2"), std::string::npos) << message();
+        EXPECT_NE(message().find(words), std::string::npos) << message();
+        feed(three[0], RunState::Enabled);
+        EXPECT_EQ(asked.size(), 2U);
+    }
+    button("Play")->click();
+    panel.stopped();
+    EXPECT_EQ(message().rfind("Stopped on the way to way-point 1", 0), 0U) << message();
+}
+
+TEST_F(WayPointsTest, RowsAreAddedMovedAndRemoved) {
+    panel.setTargetSource([this] { return std::optional(three[1]); });
+    button("Add measured")->click();
+    button("Add target")->click();
+    ASSERT_EQ(panel.table().rowCount(), 2);
+    EXPECT_EQ(panel.table().item(1, 1)->text(), "5");
+    button("Move up")->click();
+    EXPECT_EQ(panel.table().item(0, 1)->text(), "5");
+    EXPECT_FALSE(button("Move up")->isEnabled());
+    button("Remove way-point")->click();
+    ASSERT_EQ(panel.table().rowCount(), 1);
+    EXPECT_EQ(panel.table().item(0, 1)->text(), "0");
+    EXPECT_TRUE(asked.empty());
+}
+
+TEST_F(WayPointsTest, AListComesBackFromItsFile) {
+    QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("list.csv"));
+    panel.table().setPoses(three);
+    panel.save(file);
+    EXPECT_EQ(message(), "Saved as " + file.toStdString());
+    const std::vector<Pose> read = readPoseList(file.toStdString());
+    ASSERT_EQ(read.size(), 3U);
+    EXPECT_TRUE(read[2].toVector().isApprox(three[2].toVector(), 1e-9));
+    panel.table().setPoses({});
+    panel.load(file);
+    ASSERT_EQ(panel.table().rowCount(), 3);
+    EXPECT_EQ(panel.table().item(2, 5)->text(), "2");
+    QFile bad(folder.filePath(QStringLiteral("bad.csv")));
+    ASSERT_TRUE(bad.open(QIODevice::WriteOnly));
+    bad.write("x_mm,y_mm\n1,2\n");
+    bad.close();
+    panel.load(bad.fileName());
+    EXPECT_EQ(message().rfind("The list cannot be used", 0), 0U) << message();
+    EXPECT_EQ(panel.table().rowCount(), 3) << "what was there stays";
+    panel.save(QStringLiteral("/proc/none/list.csv"));
+    EXPECT_EQ(message().rfind("The list cannot be saved", 0), 0U) << message();
+}
+
+} // namespace
+} // namespace hexapose

@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/console/events/motion_check_text.h"
+
+#include "core/base/number_text.h"
+#include "core/base/units.h"
+#include "ui/common/status_text.h"
+
+#include <QCoreApplication>
+#include <QRegularExpression>
+
+#include <cmath>
+
+namespace hexapose {
+
+namespace {
+
+struct MotionCheckText {
+    Q_DECLARE_TR_FUNCTIONS(hexapose::MotionCheckText)
+};
+
+QString number(double value, int decimals) {
+    return QString::fromStdString(formatFixed(value, decimals));
+}
+
+QString legText(const MotionCheck& check) {
+    const double value = mmFromMetres(check.value);
+    const double bound = mmFromMetres(check.bound);
+    const double by = std::abs(value - bound);
+    // A tenth tells enough, unless it would read "by 0.0 mm".
+    const int decimals = by < 0.1 ? 4 : 1;
+    const QString text =
+        check.reason == MotionCheck::Reason::LegAboveMax
+            ? MotionCheckText::tr("Leg %1 would be %2 mm, above its maximum %3 mm (by %4 mm)")
+            : MotionCheckText::tr("Leg %1 would be %2 mm, below its minimum %3 mm (by %4 mm)");
+    return text.arg(QString::number(check.leg), number(value, decimals),
+                    QString::fromStdString(formatNumber(bound)), number(by, decimals));
+}
+
+QString axisText(int axis) {
+    return axis >= 1 && axis <= 6 ? coordinateTexts()[static_cast<std::size_t>(axis - 1)].symbol : QString();
+}
+
+QString envelopeText(const MotionCheck& check) {
+    const int coordinate = check.axis - 1;
+    const QString unit = coordinate < 3 ? QStringLiteral(" mm") : QString::fromUtf8("\u00b0");
+    return MotionCheckText::tr("%1 would be %2, outside its allowed \u00b1%3")
+        .arg(axisText(check.axis), number(toDisplay(coordinate, check.value), 1) + unit,
+             QString::fromStdString(formatNumber(toDisplay(coordinate, check.bound))) + unit);
+}
+
+QString legPaceText(const MotionCheck& check) {
+    const QString text =
+        check.reason == MotionCheck::Reason::LegSpeed
+            ? MotionCheckText::tr("Leg %1 would move at %2 mm/s, faster than its %3 mm/s")
+            : MotionCheckText::tr("Leg %1 would accelerate by %2 mm/s\u00b2, more than its %3 mm/s\u00b2");
+    return text.arg(QString::number(check.leg), number(mmFromMetres(check.value), 1),
+                    number(mmFromMetres(check.bound), 1));
+}
+
+QString withPlace(const QString& reason, const QString& percent) {
+    return MotionCheckText::tr("%1, at %2 % of the way").arg(reason, percent);
+}
+
+QString reasonText(const MotionCheck& check) {
+    switch (check.reason) {
+    case MotionCheck::Reason::Ok:
+        return MotionCheckText::tr("Reachable");
+    case MotionCheck::Reason::NotFinite:
+        return MotionCheckText::tr("A coordinate is not a number");
+    case MotionCheck::Reason::LegAboveMax:
+    case MotionCheck::Reason::LegBelowMin:
+        return legText(check);
+    case MotionCheck::Reason::NearSingular:
+        return MotionCheckText::tr("Too close to a singular pose: margin %1, at least %2 is needed")
+            .arg(number(check.value, 3), number(check.bound, 3));
+    case MotionCheck::Reason::OtherAssemblyMode:
+        return MotionCheckText::tr("The legs would lead to another pose than the target");
+    case MotionCheck::Reason::PathNearSingular:
+        return MotionCheckText::tr("The path comes too close to a singular pose");
+    case MotionCheck::Reason::OutsideEnvelope:
+        return envelopeText(check);
+    case MotionCheck::Reason::WrongSideOfSingularity:
+        return MotionCheckText::tr("Beyond the singular poses: q would be %1, at least %2 is needed")
+            .arg(number(check.value, 3), number(check.bound, 3));
+    case MotionCheck::Reason::LegSpeed:
+    case MotionCheck::Reason::LegAcceleration:
+        return legPaceText(check);
+    }
+    return {};
+}
+
+/// The reason of a check's words, without the place.
+QString reasonTextFromWords(const QString& words) {
+    static const QRegularExpression leg(
+        QStringLiteral("^leg (\\d) (above max_mm|below min_mm|too fast|accelerated too hard)$"));
+    static const QRegularExpression axis(QStringLiteral("^(x|y|z|alpha|beta|gamma) outside the envelope$"));
+    if (const auto match = leg.match(words); match.hasMatch()) {
+        const QString what = match.captured(2);
+        const QString text =
+            what.startsWith(QLatin1String("above")) ? MotionCheckText::tr("Leg %1 would be above its maximum")
+            : what.startsWith(QLatin1String("below"))
+                ? MotionCheckText::tr("Leg %1 would be below its minimum")
+            : what.startsWith(QLatin1String("too")) ? MotionCheckText::tr("Leg %1 would move too fast")
+                                                    : MotionCheckText::tr("Leg %1 would accelerate too hard");
+        return text.arg(match.captured(1));
+    }
+    if (const auto match = axis.match(words); match.hasMatch()) {
+        for (int i = 1; i <= 6; ++i) {
+            if (coordinateTexts()[static_cast<std::size_t>(i - 1)].word == match.captured(1)) {
+                return MotionCheckText::tr("%1 would be outside its allowed range").arg(axisText(i));
+            }
+        }
+    }
+    if (words == QLatin1String("path near singular")) {
+        return MotionCheckText::tr("The path comes too close to a singular pose");
+    }
+    if (words == QLatin1String("near singular")) {
+        return MotionCheckText::tr("Too close to a singular pose");
+    }
+    if (words == QLatin1String("across the singular poses")) {
+        return MotionCheckText::tr("Beyond the singular poses");
+    }
+    if (words == QLatin1String("other branch")) {
+        return MotionCheckText::tr("The legs would lead to another pose than the target");
+    }
+    return words == QLatin1String("invalid-input") ? MotionCheckText::tr("A coordinate is not a number")
+                                                   : QString();
+}
+
+/// "reason at 63 %": the reason and the number.
+QRegularExpressionMatch placeIn(const QString& words) {
+    static const QRegularExpression place(QStringLiteral("^(.*) at (\\d+) %$"));
+    return place.match(words);
+}
+
+} // namespace
+
+QString motionCheckText(const MotionCheck& check) {
+    const bool alongPath = !check.ok() && check.fraction < 1.0;
+    return alongPath ? withPlace(reasonText(check), number(check.fraction * 100.0, 0)) : reasonText(check);
+}
+
+QString motionCheckTextFromWords(const QString& words) {
+    const auto place = placeIn(words);
+    const QString reason = reasonTextFromWords(place.hasMatch() ? place.captured(1) : words);
+    if (reason.isEmpty()) {
+        return words;
+    }
+    return place.hasMatch() ? withPlace(reason, place.captured(2)) : reason;
+}
+
+bool liesAlongPath(const QString& words) {
+    return placeIn(words).hasMatch();
+}
+
+} // namespace hexapose

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/motion/jog.h"
+#include "core/motion/limits.h"
+#include "ui/console/motion/move_judge.h"
+
+#include <optional>
+#include <utility>
+
+namespace hexapose {
+
+/// How far one coordinate (0..5) can go from a pose with the others held, as coordinates (m or rad); nothing
+/// when the pose itself is out of the limits.
+std::optional<std::pair<double, double>>
+axisRange(const PlatformGeometry& geometry, const MotionLimits& limits, const Pose& pose, int coordinate);
+
+/// How far (m or rad, not below 0) a jog can go one way from a pose; nothing when the pose itself is out of
+/// the limits.
+std::optional<double> jogRange(const MoveJudge& judge, const Pose& pose, const JogDirection& direction);
+
+} // namespace hexapose

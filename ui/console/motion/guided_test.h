@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/report/error_report.h"
+#include "core/session/pose_sequence.h"
+#include "ui/console/motion/move_judge.h"
+
+#include <memory>
+#include <optional>
+
+namespace hexapose {
+
+/// The attitude of the published test, or one like it that a machine can reach: half of it, a quarter ...
+/// Nothing where even home cannot be reached.
+std::optional<Pose> guidedAttitude(const MoveJudge& judge, const std::optional<Pose>& from, MotionMode mode);
+
+/// The published physical test: one attitude, settled, its lengths averaged for a second, solved and
+/// compared. Fed with snapshots; pure.
+class GuidedTest {
+public:
+    enum class Step { Move, Settle, Average, Solve, Done, Failed };
+
+    GuidedTest(const PlatformGeometry& geometry, std::shared_ptr<const ForwardSolver> solver,
+               const Pose& target);
+    /// The target, when its Run is due.
+    std::optional<Pose> add(const Snapshot& snapshot);
+    Step step() const { return m_step; }
+    const Pose& target() const { return m_target; }
+    /// Of a test that is done.
+    const std::optional<ErrorRow>& result() const { return m_result; }
+    const std::optional<Event>& failure() const { return m_run.failure(); }
+
+private:
+    PlatformGeometry m_geometry;
+    std::shared_ptr<const ForwardSolver> m_solver;
+    Pose m_target;
+    PoseSequence m_run;
+    SettledSampler m_sampler;
+    Step m_step = Step::Move;
+    std::optional<ErrorRow> m_result;
+};
+
+} // namespace hexapose

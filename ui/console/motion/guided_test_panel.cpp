@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/console/motion/guided_test_panel.h"
+
+#include "ui/common/read_out.h"
+#include "ui/common/status_text.h"
+#include "ui/console/events/event_text.h"
+
+#include <QEvent>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+#include <utility>
+
+// What the guided test does; guided_test_layout.cpp is how it looks and what it says.
+namespace hexapose {
+
+GuidedTestPanel::GuidedTestPanel(const PlatformGeometry& geometry, QWidget* parent)
+    : QWidget(parent), m_judge(geometry), m_start(new QPushButton(this)) {
+    m_start->setProperty("kind", "primary");
+    m_start->setObjectName(QStringLiteral("guidedTest"));
+    m_message = new TextReadOut(2, this);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(5);
+    column->addWidget(m_start);
+    buildSteps(*column);
+    buildResult(*column);
+    column->addWidget(m_message);
+    column->addStretch(1);
+    connect(m_start, &QPushButton::clicked, this, &GuidedTestPanel::start);
+    m_text = [] { return tr("Moves to the attitude of the published test, measures it and compares"); };
+    retranslate();
+    updateButton();
+}
+
+void GuidedTestPanel::setSolver(std::shared_ptr<const ForwardSolver> solver) {
+    m_solver = std::move(solver);
+    updateButton();
+}
+
+void GuidedTestPanel::setConnected(bool connected) {
+    m_connected = connected;
+    if (!connected && isRunning()) {
+        end([] { return tr("Ended: the connection was closed"); });
+    }
+    updateButton();
+}
+
+void GuidedTestPanel::showSnapshot(const Snapshot& snapshot) {
+    m_judge.follow(snapshot);
+    m_measured = snapshot.stale ? std::nullopt : snapshot.measuredPose;
+    m_ready = runHindrance(snapshot).isEmpty() && m_measured.has_value();
+    updateButton();
+}
+
+bool GuidedTestPanel::isRunning() const {
+    return !m_ended;
+}
+
+void GuidedTestPanel::start() {
+    if (isRunning() || !m_solver || !m_ready) {
+        return;
+    }
+    const auto target = guidedAttitude(m_judge, m_measured, m_mode);
+    if (!target) {
+        tell([] { return tr("No attitude of this test can be reached from here. Nothing moved."); });
+        return;
+    }
+    emit started();
+    m_test.emplace(m_judge.geometry(), m_solver, *target);
+    m_ended = false;
+    tell([] { return tr("The test is under way; Stop ends it"); });
+    showSteps();
+    showResult();
+    updateButton();
+}
+
+void GuidedTestPanel::add(const Snapshot& snapshot) {
+    if (!isRunning()) {
+        return;
+    }
+    const GuidedTest::Step before = m_test->step();
+    const auto due = m_test->add(snapshot);
+    if (m_test->step() == GuidedTest::Step::Failed) {
+        const Event cause = m_test->failure().value_or(Event{EventCode::NotSettled, 0.0, {}});
+        end([cause] { return tr("Ended early: %1").arg(eventText(cause).cause); });
+    } else if (m_test->step() == GuidedTest::Step::Done) {
+        const int measurements = m_test->result()->sample.measurements;
+        const SolveStatus status = m_test->result()->solution.status;
+        end([=] {
+            return tr("Done: %1 measurements averaged; solution: %2")
+                .arg(QString::number(measurements), solveStatusText(status));
+        });
+    } else if (m_test->step() != before) {
+        showSteps();
+    }
+    if (due) {
+        emit runRequested(*due);
+    }
+}
+
+void GuidedTestPanel::stopped() {
+    if (isRunning()) {
+        end([] { return tr("Ended by Stop. Press Clear before the next one."); });
+    }
+}
+
+void GuidedTestPanel::anotherMotion() {
+    if (isRunning()) {
+        end([] { return tr("Ended: another motion was asked for"); });
+    }
+}
+
+void GuidedTestPanel::end(const Text& text) {
+    m_ended = true;
+    tell(text);
+    showSteps();
+    showResult();
+    updateButton();
+}
+
+void GuidedTestPanel::tell(const Text& text) {
+    m_text = text;
+    m_message->showText(text());
+}
+
+void GuidedTestPanel::updateButton() {
+    m_start->setEnabled(!isRunning() && m_connected && m_ready && m_solver);
+}
+
+void GuidedTestPanel::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    }
+    QWidget::changeEvent(event);
+}
+
+} // namespace hexapose

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/console/motion/guided_test.h"
+
+#include <QWidget>
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+
+class QGridLayout;
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
+
+namespace hexapose {
+
+class ReadOut;
+class TextReadOut;
+
+/// The published physical test as one button: its steps while they happen, and what came out.
+class GuidedTestPanel final : public QWidget {
+    Q_OBJECT
+public:
+    explicit GuidedTestPanel(const PlatformGeometry& geometry, QWidget* parent = nullptr);
+
+    void setControl(const ControlOptions& options) { m_judge.setControl(options); }
+    void setSolver(std::shared_ptr<const ForwardSolver> solver);
+    void setConnected(bool connected);
+    void setMode(MotionMode mode) { m_mode = mode; }
+    /// Every snapshot.
+    void add(const Snapshot& snapshot);
+    void showSnapshot(const Snapshot& snapshot);
+
+    bool isRunning() const;
+    void stopped();       ///< Stop was pressed
+    void anotherMotion(); ///< something else was asked for
+
+public slots:
+    void start();
+
+signals:
+    void started(); ///< before its Run
+    void runRequested(const hexapose::Pose& target);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    using Text = std::function<QString()>;
+    struct Row {
+        ReadOut* target;
+        ReadOut* measured;
+        ReadOut* error;
+        ReadOut* expected;
+    };
+    static constexpr int kSteps = 4;
+
+    void buildSteps(QVBoxLayout& column);
+    void buildResult(QVBoxLayout& column);
+    void addRow(QGridLayout& grid, int coordinate);
+    void end(const Text& text);
+    void tell(const Text& text);
+    void showSteps();
+    void showResult();
+    void updateButton();
+    void retranslate();
+
+    MoveJudge m_judge;
+    std::shared_ptr<const ForwardSolver> m_solver;
+    MotionMode m_mode = MotionMode::Joint;
+    std::optional<Pose> m_measured; ///< present and usable
+    std::optional<GuidedTest> m_test;
+    bool m_ended = true; ///< no test, or one that is over
+    bool m_connected = false;
+    bool m_ready = false; ///< a Run would be taken
+    Text m_text;
+
+    QPushButton* m_start = nullptr;
+    std::array<QLabel*, kSteps> m_lamps{};
+    std::array<QLabel*, kSteps> m_stepTexts{};
+    std::array<QLabel*, 4> m_heads{};
+    std::array<Row, 6> m_rows{};
+    QLabel* m_lengthsTitle = nullptr;
+    std::array<ReadOut*, 6> m_lengths{};
+    TextReadOut* m_message = nullptr;
+};
+
+} // namespace hexapose

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/motion/jog.h"
+#include "core/record/snapshot.h"
+#include "ui/console/motion/jog_hold.h"
+#include "ui/console/motion/move_judge.h"
+
+#include <QElapsedTimer>
+#include <QWidget>
+
+#include <array>
+#include <optional>
+
+class QComboBox;
+class QGridLayout;
+class QKeyEvent;
+class QLabel;
+class QPushButton;
+
+namespace hexapose {
+
+class TextReadOut;
+
+/// Twelve buttons that move the platform along and about the axes: as long as one is held, or a step a click.
+/// Let go, out of focus, out of sight, behind a popup or in a window that is not in front: released at once.
+class JogPanel final : public QWidget {
+    Q_OBJECT
+public:
+    explicit JogPanel(const PlatformGeometry& geometry, QWidget* parent = nullptr,
+                      std::function<JogHold::Clock::time_point()> now = JogHold::Clock::now);
+
+    void setControl(const ControlOptions& options) { m_judge.setControl(options); }
+    void setConnected(bool connected);
+    /// Every snapshot: its events end a jog that the loop does not carry out.
+    void add(const Snapshot& snapshot);
+    /// The latest one, for what is shown.
+    void showSnapshot(const Snapshot& snapshot);
+    void release() { m_hold.end(); }
+    JogHold& hold() { return m_hold; }
+
+signals:
+    void jogRequested(const hexapose::JogDirection& direction);
+    void releaseRequested();
+    void stepRequested(const hexapose::Pose& target);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    bool event(QEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    /// Of one direction in the arrays of buttons and ranges.
+    static std::size_t slot(int axis, bool up) { return 2 * static_cast<std::size_t>(axis) + (up ? 1U : 0U); }
+    void build();
+    void addRow(QGridLayout& grid, int axis);
+    QPushButton*& button(int axis, bool up) { return m_buttons[slot(axis, up)]; }
+    JogDirection directionOf(int axis, bool up) const;
+    std::optional<double> step(int axis) const; ///< m or rad; nothing: hold
+    bool canHold() const;
+    bool mayGoOn() const;
+    void press(const JogDirection& direction);
+    void takeStep(const JogDirection& direction);
+    std::optional<JogDirection> directionOfKey(const QObject* at, const QKeyEvent& key) const;
+    bool keyPressed(const QObject* at, const QKeyEvent& key);
+    bool keyReleased(const QKeyEvent& key);
+    void showRanges();
+    QString hindrance() const;
+    void showHint();
+    void updateButtons();
+    void retranslate();
+
+    MoveJudge m_judge;
+    JogHold m_hold;
+    Snapshot m_latest;
+    bool m_connected = false;
+    bool m_jogging = false;   ///< what moves is a jog of ours
+    bool m_heldByKey = false; ///< and not by the mouse
+    int m_downKey = 0;        ///< a jog key that has not been let go; 0: none
+    QTimer m_keyUp;           ///< its release, until it is known to be none of a repetition
+    QPushButton* m_heldButton = nullptr;
+    QElapsedTimer m_sinceRanges;
+    QLabel* m_frameLabel = nullptr;
+    QComboBox* m_frame = nullptr;
+    QLabel* m_stepLabel = nullptr;
+    QComboBox* m_step = nullptr;
+    QWidget* m_pad = nullptr; ///< where the keys count
+    std::array<QPushButton*, 12> m_buttons{};
+    std::array<QLabel*, 12> m_ranges{};
+    std::array<QLabel*, 2> m_rangeHeads{};
+    TextReadOut* m_hint = nullptr;
+};
+
+} // namespace hexapose

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/console/motion/speed_control.h"
+
+#include "ui/common/card.h"
+#include "ui/common/read_out.h"
+#include "ui/common/theme.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QSlider>
+
+#include <cmath>
+
+namespace hexapose {
+
+namespace {
+constexpr int kSlowestPercent = 5;
+constexpr int kFullPercent = 100;
+constexpr int kSpeedStep = 5;      // percent
+constexpr int kSliderHeight = 24;  // the whole of the handle
+constexpr int kSayAgainMs = 250;   // a command takes a cycle or two to show
+constexpr double kSamePart = 1e-6; // of full speed
+} // namespace
+
+SpeedControl::SpeedControl(QWidget* parent)
+    : QWidget(parent), m_label(makeCaption(this)), m_slider(new QSlider(Qt::Horizontal, this)),
+      m_readOut(new ReadOut(this)) {
+    m_slider->setRange(kSlowestPercent, kFullPercent);
+    m_slider->setSingleStep(kSpeedStep);
+    m_slider->setPageStep(2 * kSpeedStep);
+    m_slider->setValue(kFullPercent);
+    m_slider->setMinimumWidth(60);
+    m_slider->setMinimumHeight(kSliderHeight);
+    m_slider->installEventFilter(this);
+    m_readOut->setDigits(6);
+    m_readOut->setMaximumWidth(m_readOut->minimumWidth());
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(6);
+    row->addWidget(m_label);
+    row->addWidget(m_slider, 1);
+    row->addWidget(m_readOut);
+    connect(m_slider, &QSlider::valueChanged, this, [this] {
+        showPart();
+        say();
+    });
+    retranslate();
+}
+
+double SpeedControl::part() const {
+    return m_held ? 0.0 : static_cast<double>(m_slider->value()) / kFullPercent;
+}
+
+void SpeedControl::setHeld(bool held) {
+    if (held == m_held) {
+        return;
+    }
+    m_held = held;
+    showPart();
+    say();
+}
+
+void SpeedControl::say() {
+    m_sinceSaid.start();
+    emit partRequested(part());
+}
+
+void SpeedControl::showSnapshot(const Snapshot& snapshot) {
+    const bool loop = snapshot.link != LinkState::Lost && snapshot.measuredLengths.has_value();
+    const bool differs = std::abs(snapshot.speed - part()) > kSamePart;
+    if (loop && differs && (!m_sinceSaid.isValid() || m_sinceSaid.elapsed() > kSayAgainMs)) {
+        say();
+    }
+}
+
+/// Scrolling the mouse over the slider must not change a speed by accident.
+bool SpeedControl::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Wheel && !m_slider->hasFocus()) {
+        event->ignore();
+        return true;
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void SpeedControl::showPart() {
+    m_readOut->showText(m_held ? tr("held") : QStringLiteral("%1 %").arg(m_slider->value()));
+    setTone(*m_readOut, m_held ? Tone::Warn : Tone::Idle);
+}
+
+void SpeedControl::retranslate() {
+    setCaption(*m_label, tr("Speed"));
+    m_slider->setAccessibleName(tr("Speed"));
+    m_slider->setToolTip(tr("Part of full speed for everything that moves, also in mid-move"));
+    m_readOut->setAccessibleName(tr("Speed in force"));
+    showPart();
+}
+
+void SpeedControl::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    }
+    QWidget::changeEvent(event);
+}
+
+} // namespace hexapose

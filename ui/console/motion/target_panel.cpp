@@ -1,0 +1,305 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/console/motion/target_panel.h"
+
+#include "core/base/number_text.h"
+#include "ui/common/card.h"
+#include "ui/common/pose_field.h"
+#include "ui/common/read_out.h"
+#include "ui/common/status_text.h"
+#include "ui/common/theme.h"
+#include "ui/console/events/motion_check_text.h"
+#include "ui/console/motion/axis_range.h"
+#include "ui/console/motion/named_poses.h"
+
+#include <QEvent>
+#include <QGridLayout>
+#include <QPushButton>
+#include <QShowEvent>
+#include <QVBoxLayout>
+
+namespace hexapose {
+
+namespace {
+
+constexpr int kJudgeEveryMs = 250;
+constexpr int kJudgeInMotionEveryMs = 1000;
+constexpr double kSamePlace = 1e-4;    // m
+constexpr double kSameAttitude = 1e-3; // rad
+constexpr int kValidityLines = 3;
+
+QString rangeText(const std::pair<double, double>& range, int coordinate) {
+    return QStringLiteral("%1 .. %2")
+        .arg(QString::fromStdString(formatFixed(toDisplay(coordinate, range.first), 1)),
+             QString::fromStdString(formatFixed(toDisplay(coordinate, range.second), 1)));
+}
+
+} // namespace
+
+TargetPanel::TargetPanel(const PlatformGeometry& geometry, QWidget* parent)
+    : QWidget(parent), m_judge(geometry) {
+    build();
+    setTarget(Pose{});
+    setConnected(false);
+    retranslate();
+    judge();
+}
+
+void TargetPanel::build() {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(6);
+    buildFields(*column);
+    buildValidity(*column);
+    buildButtons(*column);
+    m_named = new NamedPoses(this);
+    column->addWidget(m_named);
+    column->addStretch(1);
+    connect(m_named, &NamedPoses::chosen, this, &TargetPanel::setTarget);
+    connect(m_named, &NamedPoses::keepRequested, this, [this] {
+        if (const auto pose = target()) {
+            m_named->keep(*pose);
+        }
+    });
+}
+
+void TargetPanel::buildFields(QVBoxLayout& column) {
+    auto* grid = new QGridLayout;
+    grid->setHorizontalSpacing(8);
+    grid->setVerticalSpacing(5);
+    m_rangeTitle = makeMutedLabel(this, Qt::AlignRight | Qt::AlignVCenter);
+    grid->addWidget(m_rangeTitle, 0, 1, 1, 3);
+    for (int i = 0; i < 6; ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        const CoordinateText& text = coordinateTexts()[at];
+        auto* field = new PoseField(this);
+        m_fields[at] = field;
+        connect(field, &PoseField::edited, this, &TargetPanel::judge);
+        auto* label = new QLabel(text.symbol, this);
+        label->setMinimumWidth(16);
+        m_ranges[at] = makeMutedLabel(this, Qt::AlignRight | Qt::AlignVCenter);
+        m_ranges[at]->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("-000.0 .. 000.0")));
+        QLabel* unit = makeMutedLabel(this);
+        unit->setText(text.unit);
+        grid->addWidget(label, i + 1, 0);
+        grid->addWidget(field, i + 1, 1);
+        grid->addWidget(unit, i + 1, 2);
+        grid->addWidget(m_ranges[at], i + 1, 3);
+    }
+    grid->setColumnStretch(1, 1);
+    column.addLayout(grid);
+}
+
+void TargetPanel::buildValidity(QVBoxLayout& column) {
+    auto* validity = new QHBoxLayout;
+    m_lamp = makeLamp(this);
+    m_validity = new TextReadOut(kValidityLines, this);
+    auto* lampColumn = new QVBoxLayout;
+    lampColumn->setContentsMargins(0, 3, 0, 0);
+    lampColumn->addWidget(m_lamp);
+    lampColumn->addStretch(1);
+    validity->addLayout(lampColumn);
+    validity->addWidget(m_validity, 1);
+    validity->setContentsMargins(0, 2, 0, 0);
+    column.addLayout(validity);
+}
+
+void TargetPanel::buildButtons(QVBoxLayout& column) {
+    m_run = new QPushButton(this);
+    m_run->setProperty("kind", "primary");
+    m_run->setObjectName(QStringLiteral("run"));
+    m_reset = new QPushButton(this);
+    m_copy = new QPushButton(this);
+    m_copy->setEnabled(false);
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(6);
+    buttons->addWidget(m_run, 1);
+    buttons->addWidget(m_reset);
+    buttons->addWidget(m_copy);
+    column.addLayout(buttons);
+    connect(m_run, &QPushButton::clicked, this, &TargetPanel::run);
+    connect(m_reset, &QPushButton::clicked, this, [this] { setTarget(Pose{}); });
+    connect(m_copy, &QPushButton::clicked, this, [this] {
+        if (m_measured) {
+            setTarget(*m_measured);
+        }
+    });
+}
+
+void TargetPanel::setControl(const ControlOptions& options) {
+    m_judge.setControl(options);
+    judge();
+}
+
+void TargetPanel::setMode(MotionMode mode) {
+    m_mode = mode;
+    judge();
+}
+
+void TargetPanel::setConnected(bool connected) {
+    m_connected = connected;
+    updateRun();
+    showVerdict();
+}
+
+void TargetPanel::updateRun() {
+    m_run->setEnabled(m_connected && m_hindrance.isEmpty());
+    if (!m_connected) {
+        m_run->setToolTip(tr("Cannot run: nothing is connected"));
+    } else if (!m_hindrance.isEmpty()) {
+        m_run->setToolTip(m_hindrance);
+    } else {
+        m_run->setToolTip(tr("Move to the target; references and enables first when that is needed"));
+    }
+}
+
+void TargetPanel::showSnapshot(const Snapshot& snapshot) {
+    const bool live = !snapshot.stale && snapshot.measuredPose;
+    if (const QString hindrance = runHindrance(snapshot); hindrance != m_hindrance) {
+        m_hindrance = hindrance;
+        updateRun();
+        showVerdict();
+    }
+    const bool had = m_measured.has_value();
+    m_measured = live ? snapshot.measuredPose : std::nullopt;
+    m_judge.follow(snapshot);
+    m_copy->setEnabled(m_measured.has_value());
+    // A judgement takes some milliseconds, for which every key waits: none where nothing has changed.
+    const bool moving = snapshot.state == RunState::Moving;
+    const bool due =
+        !m_sinceJudged.isValid() ||
+        (m_sinceJudged.elapsed() > (moving ? kJudgeInMotionEveryMs : kJudgeEveryMs) && hasMoved());
+    if (had != m_measured.has_value() || (due && isVisible())) {
+        judge();
+    }
+}
+
+/// Since the last judgement, by more than the measurement's rounding.
+bool TargetPanel::hasMoved() const {
+    if (!m_measured || !m_judgedFrom) {
+        return m_measured.has_value() != m_judgedFrom.has_value();
+    }
+    const Twist gone = displacement(*m_judgedFrom, *m_measured);
+    return gone.head<3>().norm() > kSamePlace || gone.tail<3>().norm() > kSameAttitude;
+}
+
+void TargetPanel::showEvent(QShowEvent* event) {
+    judge();
+    QWidget::showEvent(event);
+}
+
+void TargetPanel::setTarget(const Pose& pose) {
+    const PoseVector si = pose.toVector();
+    for (int i = 0; i < 6; ++i) {
+        m_fields[static_cast<std::size_t>(i)]->showValue(toDisplay(i, si[i]));
+    }
+    judge();
+}
+
+std::optional<Pose> TargetPanel::target() const {
+    PoseVector si;
+    for (int i = 0; i < 6; ++i) {
+        const PoseField& field = *m_fields[static_cast<std::size_t>(i)];
+        const auto typed = parseNumber(field.text().toStdString());
+        if (!typed) {
+            return std::nullopt;
+        }
+        si[i] = fromDisplay(i, *typed);
+    }
+    return Pose::fromVector(si);
+}
+
+void TargetPanel::run() {
+    judge();
+    // The engine judges again, and tells a refusal; a field without a number has no target to send.
+    if (const auto pose = target()) {
+        emit runRequested(*pose);
+    }
+}
+
+void TargetPanel::judge() {
+    if (m_validity == nullptr || m_fields[5] == nullptr) {
+        return;
+    }
+    m_sinceJudged.start();
+    m_judgedFrom = m_measured;
+    const auto pose = target();
+    if (!pose) {
+        m_verdict.reset();
+    } else if (m_measured) {
+        m_verdict = m_judge.move(*m_measured, *pose, m_mode);
+    } else {
+        m_verdict = m_judge.pose(*pose);
+    }
+    if (m_named != nullptr) {
+        m_named->setTargetWhole(pose.has_value());
+    }
+    showVerdict();
+    showRanges();
+}
+
+void TargetPanel::showRanges() {
+    for (int i = 0; i < 6; ++i) {
+        const auto range = m_measured
+                               ? axisRange(m_judge.geometry(), m_judge.limitsAt(*m_measured), *m_measured, i)
+                               : std::nullopt;
+        m_ranges[static_cast<std::size_t>(i)]->setText(range ? rangeText(*range, i) : ReadOut::dash());
+    }
+}
+
+void TargetPanel::showVerdict() {
+    if (!m_hindrance.isEmpty()) {
+        setTone(*m_lamp, Tone::Warn);
+        m_validity->showText(m_hindrance);
+        return;
+    }
+    if (m_verdict && m_verdict->ok() && !m_connected) {
+        setTone(*m_lamp, Tone::Idle);
+        m_validity->showText(tr("Reachable, but nothing is connected"));
+        return;
+    }
+    if (m_verdict) {
+        setTone(*m_lamp, m_verdict->ok() ? Tone::Good : Tone::Bad);
+        m_validity->showText(motionCheckText(*m_verdict));
+        return;
+    }
+    setTone(*m_lamp, Tone::Bad);
+    for (std::size_t i = 0; i < m_fields.size(); ++i) {
+        if (!m_fields[i]->isComplete()) {
+            m_validity->showText(tr("Target %1 is not a number").arg(coordinateTexts()[i].symbol));
+            return;
+        }
+    }
+}
+
+void TargetPanel::retranslate() {
+    const std::array<QString, 6> names = {tr("Target x"),     tr("Target y"),    tr("Target z"),
+                                          tr("Target alpha"), tr("Target beta"), tr("Target gamma")};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        m_fields[i]->setAccessibleName(names[i]);
+        m_fields[i]->setToolTip(coordinateTexts()[i].angle ? tr("Rotation in degrees")
+                                                           : tr("Displacement in mm"));
+        m_ranges[i]->setToolTip(tr("How far this axis alone can go from the present pose"));
+    }
+    m_rangeTitle->setText(tr("range from here"));
+    m_validity->setAccessibleName(tr("Validity"));
+    const auto name = [](QPushButton* button, const QString& text, const QString& tip) {
+        button->setText(text);
+        button->setAccessibleName(text);
+        button->setToolTip(tip);
+    };
+    name(m_run, tr("Run"), {});
+    updateRun();
+    name(m_reset, tr("Reset"), tr("Put the home pose into the fields; nothing moves"));
+    name(m_copy, tr("Copy measured"), tr("Put the measured pose into the fields; nothing moves"));
+    showVerdict();
+}
+
+void TargetPanel::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    }
+    QWidget::changeEvent(event);
+}
+
+} // namespace hexapose

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/record/snapshot.h"
+#include "ui/console/motion/move_judge.h"
+
+#include <QElapsedTimer>
+#include <QWidget>
+
+#include <array>
+#include <optional>
+
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
+
+namespace hexapose {
+
+class NamedPoses;
+class PoseField;
+class TextReadOut;
+
+/// Where to go: six fields, whether that can be reached and why not, Run and Reset.
+class TargetPanel final : public QWidget {
+    Q_OBJECT
+public:
+    explicit TargetPanel(const PlatformGeometry& geometry, QWidget* parent = nullptr);
+
+    void setControl(const ControlOptions& options);
+    void setConnected(bool connected);
+    /// The way that Run will take; judged anew, and nothing moves.
+    void setMode(MotionMode mode);
+    /// What the present pose and the controller's limits say; judged anew a few times a second at most.
+    void showSnapshot(const Snapshot& snapshot);
+
+    void setTarget(const Pose& pose);
+    /// Nothing while a field holds no number.
+    std::optional<Pose> target() const;
+    std::optional<MotionCheck> check() const { return m_verdict; }
+    const std::array<PoseField*, 6>& fields() const { return m_fields; }
+    NamedPoses& namedPoses() { return *m_named; }
+
+public slots:
+    void run();
+
+signals:
+    void runRequested(const hexapose::Pose& target);
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+
+private:
+    void build();
+    void buildFields(QVBoxLayout& column);
+    void buildValidity(QVBoxLayout& column);
+    void buildButtons(QVBoxLayout& column);
+    void judge();
+    bool hasMoved() const;
+    void showRanges();
+    void showVerdict();
+    void updateRun();
+    void retranslate();
+
+    MoveJudge m_judge;
+    MotionMode m_mode = MotionMode::Joint;
+    QString m_hindrance; ///< why Run cannot be pressed, though something is connected
+    bool m_connected = false;
+    std::optional<Pose> m_measured;   ///< present and usable
+    std::optional<Pose> m_judgedFrom; ///< where it was then
+    std::optional<MotionCheck> m_verdict;
+    QElapsedTimer m_sinceJudged;
+    std::array<PoseField*, 6> m_fields{};
+    std::array<QLabel*, 6> m_ranges{};
+    QLabel* m_rangeTitle = nullptr;
+    QLabel* m_lamp = nullptr;
+    TextReadOut* m_validity = nullptr;
+    QPushButton* m_run = nullptr;
+    QPushButton* m_reset = nullptr;
+    QPushButton* m_copy = nullptr;
+    NamedPoses* m_named = nullptr;
+};
+
+} // namespace hexapose

@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/console/motion/way_point_table.h"
+
+#include "core/base/number_text.h"
+#include "ui/common/status_text.h"
+
+#include <QEvent>
+#include <QHeaderView>
+#include <QSignalBlocker>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace hexapose {
+
+namespace {
+
+constexpr int kCoordinates = 6;
+constexpr int kWrittenDecimals = 6;
+constexpr int kRowHeight = 24;
+constexpr int kLeastColumn = 28;
+
+/// As short as it can be written to a millionth of a mm or degree.
+QString shortNumber(double value) {
+    std::string text = formatFixed(value, kWrittenDecimals);
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') {
+        text.pop_back();
+    }
+    return text == "-0" ? QStringLiteral("0") : QString::fromStdString(text);
+}
+
+} // namespace
+
+WayPointTable::WayPointTable(QWidget* parent) : QTableWidget(0, kCoordinates, parent) {
+    QStringList heads;
+    for (const CoordinateText& text : coordinateTexts()) {
+        heads << text.symbol;
+    }
+    setHorizontalHeaderLabels(heads);
+    horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    horizontalHeader()->setMinimumSectionSize(20);
+    horizontalHeader()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    horizontalHeader()->setHighlightSections(false);
+    verticalHeader()->setDefaultSectionSize(kRowHeight);
+    verticalHeader()->setHighlightSections(false);
+    verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    setSelectionBehavior(QAbstractItemView::SelectRows);
+    setSelectionMode(QAbstractItemView::SingleSelection);
+    setTabKeyNavigation(false); // Tab leaves the table
+    setShowGrid(false);
+    connect(this, &QTableWidget::cellChanged, this, [this](int row, int /*column*/) {
+        paintRow(row);
+        emit edited();
+    });
+    connect(this, &WayPointTable::edited, this, &WayPointTable::fitColumns);
+}
+
+/// Each as wide as what it holds; what is left over is shared out.
+void WayPointTable::fitColumns() {
+    std::array<int, kCoordinates> widths{};
+    int left = viewport()->width();
+    for (int i = 0; i < kCoordinates; ++i) {
+        widths[static_cast<std::size_t>(i)] = std::max(sizeHintForColumn(i), kLeastColumn);
+        left -= widths[static_cast<std::size_t>(i)];
+    }
+    for (int i = 0; i < kCoordinates; ++i) {
+        setColumnWidth(i, widths[static_cast<std::size_t>(i)] + std::max(left, 0) / kCoordinates);
+    }
+}
+
+void WayPointTable::resizeEvent(QResizeEvent* event) {
+    QTableWidget::resizeEvent(event);
+    fitColumns();
+}
+
+void WayPointTable::setPoses(const std::vector<Pose>& poses) {
+    {
+        const QSignalBlocker quiet(this);
+        m_marked = -1;
+        setRowCount(0);
+        for (const Pose& pose : poses) {
+            insertRow(rowCount());
+            writeRow(rowCount() - 1, pose);
+        }
+    }
+    emit edited();
+}
+
+void WayPointTable::append(const Pose& pose) {
+    {
+        const QSignalBlocker quiet(this);
+        insertRow(rowCount());
+        writeRow(rowCount() - 1, pose);
+    }
+    setCurrentCell(rowCount() - 1, 0);
+    emit edited();
+}
+
+void WayPointTable::writeRow(int row, const Pose& pose) {
+    const PoseVector si = pose.toVector();
+    for (int i = 0; i < kCoordinates; ++i) {
+        auto* item = new QTableWidgetItem(shortNumber(toDisplay(i, si[i])));
+        item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        setItem(row, i, item);
+    }
+    paintRow(row);
+}
+
+std::optional<double> WayPointTable::numberAt(int row, int column) const {
+    const QTableWidgetItem* cell = item(row, column);
+    const auto number = cell != nullptr ? parseNumber(cell->text().trimmed().toStdString()) : std::nullopt;
+    return number && std::isfinite(*number) ? number : std::nullopt;
+}
+
+int WayPointTable::wrongCoordinate(int row) const {
+    for (int i = 0; i < kCoordinates; ++i) {
+        if (!numberAt(row, i)) {
+            return i;
+        }
+    }
+    return -1;
+}
+
+std::optional<Pose> WayPointTable::poseAt(int row) const {
+    PoseVector si;
+    for (int i = 0; i < kCoordinates; ++i) {
+        const auto number = numberAt(row, i);
+        if (!number) {
+            return std::nullopt;
+        }
+        si[i] = fromDisplay(i, *number);
+    }
+    return Pose::fromVector(si);
+}
+
+void WayPointTable::removeCurrent() {
+    if (currentRow() >= 0) {
+        removeRow(currentRow());
+        emit edited();
+    }
+}
+
+void WayPointTable::moveCurrent(int by) {
+    const int from = currentRow();
+    const int to = from + by;
+    if (from < 0 || to < 0 || to >= rowCount()) {
+        return;
+    }
+    {
+        const QSignalBlocker quiet(this);
+        for (int i = 0; i < kCoordinates; ++i) {
+            QTableWidgetItem* one = takeItem(from, i);
+            QTableWidgetItem* other = takeItem(to, i);
+            setItem(to, i, one);
+            setItem(from, i, other);
+        }
+        paintRow(from);
+        paintRow(to);
+    }
+    setCurrentCell(to, std::max(currentColumn(), 0));
+    emit edited();
+}
+
+void WayPointTable::mark(int row) {
+    if (row == m_marked) {
+        return;
+    }
+    const int before = m_marked;
+    m_marked = row;
+    paintRow(before);
+    paintRow(row);
+    if (row >= 0 && row < rowCount()) {
+        clearSelection();
+        scrollToItem(item(row, 0));
+    }
+}
+
+void WayPointTable::paintRow(int row) {
+    if (row < 0 || row >= rowCount()) {
+        return;
+    }
+    const QSignalBlocker quiet(this);
+    QColor ground = palette().color(QPalette::Highlight);
+    ground.setAlphaF(0.28F);
+    for (int i = 0; i < kCoordinates; ++i) {
+        QTableWidgetItem* cell = item(row, i);
+        if (cell == nullptr) {
+            continue;
+        }
+        QFont font = this->font();
+        font.setBold(row == m_marked);
+        font.setStrikeOut(!numberAt(row, i));
+        cell->setFont(font);
+        cell->setBackground(row == m_marked ? QBrush(ground) : QBrush());
+        cell->setToolTip(cell->text());
+    }
+    auto* head = new QTableWidgetItem((row == m_marked ? QString::fromUtf8("\u25b6 ") : QString()) +
+                                      QString::number(row + 1));
+    setVerticalHeaderItem(row, head);
+    viewport()->update();
+}
+
+void WayPointTable::setEditable(bool editable) {
+    setEditTriggers(editable ? QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
+                                   QAbstractItemView::AnyKeyPressed
+                             : QAbstractItemView::NoEditTriggers);
+}
+
+void WayPointTable::changeEvent(QEvent* event) {
+    QTableWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) {
+        paintRow(m_marked);
+    }
+}
+
+} // namespace hexapose

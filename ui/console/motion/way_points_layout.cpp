@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/common/read_out.h"
+#include "ui/console/motion/way_point_table.h"
+#include "ui/console/motion/way_points_panel.h"
+
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+// How the way-points look and what they say; way_points_panel.cpp is what they do.
+namespace hexapose {
+
+namespace {
+constexpr int kMessageLines = 3;
+constexpr int kLeastTableHeight = 90;
+} // namespace
+
+QPushButton* WayPointsPanel::addButton(QHBoxLayout& row, int stretch) {
+    auto* button = new QPushButton(this);
+    button->setProperty("compact", true);
+    row.addWidget(button, stretch);
+    return button;
+}
+
+void WayPointsPanel::build() {
+    m_table = new WayPointTable(this);
+    m_table->setMinimumHeight(kLeastTableHeight);
+    m_message = new TextReadOut(kMessageLines, this);
+    const auto makeRow = [] {
+        auto* row = new QHBoxLayout;
+        row->setSpacing(5);
+        return row;
+    };
+    QHBoxLayout* adding = makeRow();
+    m_addMeasured = addButton(*adding);
+    m_addTarget = addButton(*adding);
+    m_load = addButton(*adding, 0);
+    m_save = addButton(*adding, 0);
+    QHBoxLayout* ordering = makeRow();
+    m_play = addButton(*ordering);
+    m_play->setProperty("kind", "primary");
+    m_pause = addButton(*ordering);
+    m_pause->setCheckable(true);
+    m_step = addButton(*ordering);
+    m_remove = addButton(*ordering, 0);
+    m_up = addButton(*ordering, 0);
+    m_down = addButton(*ordering, 0);
+
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(6);
+    column->addWidget(m_table, 1);
+    column->addLayout(adding);
+    column->addLayout(ordering);
+    column->addWidget(m_message);
+
+    connect(m_table, &WayPointTable::edited, this, &WayPointsPanel::updateButtons);
+    connect(m_table, &QTableWidget::itemSelectionChanged, this, &WayPointsPanel::updateButtons);
+    connect(m_addMeasured, &QPushButton::clicked, this, [this] { addPose(m_measured); });
+    connect(m_addTarget, &QPushButton::clicked, this,
+            [this] { addPose(m_target ? m_target() : std::nullopt); });
+    connect(m_remove, &QPushButton::clicked, m_table, &WayPointTable::removeCurrent);
+    connect(m_up, &QPushButton::clicked, this, [this] { m_table->moveCurrent(-1); });
+    connect(m_down, &QPushButton::clicked, this, [this] { m_table->moveCurrent(1); });
+    connect(m_load, &QPushButton::clicked, this, [this] { chooseFile(false); });
+    connect(m_save, &QPushButton::clicked, this, [this] { chooseFile(true); });
+    connect(m_play, &QPushButton::clicked, this, &WayPointsPanel::play);
+    connect(m_step, &QPushButton::clicked, this, &WayPointsPanel::step);
+    connect(m_pause, &QPushButton::toggled, this, &WayPointsPanel::setPaused);
+}
+
+/// Beside the window and not before it: Stop stays within reach.
+void WayPointsPanel::chooseFile(bool toSave) {
+    auto* dialog = new QFileDialog(this, toSave ? tr("Save the way-points") : tr("Load way-points"),
+                                   QString(), tr("Attitudes (*.csv);;All files (*)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(toSave ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
+    dialog->setFileMode(toSave ? QFileDialog::AnyFile : QFileDialog::ExistingFile);
+    dialog->setDefaultSuffix(QStringLiteral("csv"));
+    dialog->setModal(false);
+    connect(dialog, &QFileDialog::fileSelected, this, toSave ? &WayPointsPanel::save : &WayPointsPanel::load);
+    dialog->show();
+}
+
+void WayPointsPanel::retranslate() {
+    const auto name = [](QPushButton* button, const QString& text, const QString& spoken,
+                         const QString& tip) {
+        button->setText(text);
+        button->setAccessibleName(spoken);
+        button->setToolTip(tip);
+    };
+    m_table->setAccessibleName(tr("Way-points"));
+    m_table->setToolTip(tr("x y z in mm, alpha beta gamma in degrees; a double click edits"));
+    name(m_addMeasured, tr("+ Measured"), tr("Add measured"), tr("Add the measured pose; nothing moves"));
+    name(m_addTarget, tr("+ Target"), tr("Add target"),
+         tr("Add the pose of the target's fields; nothing moves"));
+    name(m_load, tr("Load..."), tr("Load way-points"),
+         tr("From CSV: columns x_mm, y_mm, z_mm, alpha_deg, beta_deg, gamma_deg"));
+    name(m_save, tr("Save..."), tr("Save way-points"), tr("As CSV, of the same columns"));
+    name(m_play, tr("Play"), tr("Play"), tr("Visit them all, from the first; the platform moves"));
+    name(m_pause, tr("Pause"), tr("Pause motion"), tr("Hold the motion on its path; press again to go on"));
+    name(m_step, tr("Step"), tr("Step"), tr("Go to the next one only; the platform moves"));
+    name(m_remove, QString::fromUtf8("\u2212"), tr("Remove way-point"), tr("Remove the chosen row"));
+    name(m_up, QString::fromUtf8("\u2191"), tr("Move up"), tr("Move the chosen row up"));
+    name(m_down, QString::fromUtf8("\u2193"), tr("Move down"), tr("Move the chosen row down"));
+    m_message->setAccessibleName(tr("Way-point progress"));
+    m_message->showText(m_text());
+}
+
+} // namespace hexapose

@@ -1,0 +1,237 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/console/motion/way_points_panel.h"
+
+#include "core/base/input_error.h"
+#include "core/record/pose_list.h"
+#include "ui/common/read_out.h"
+#include "ui/common/status_text.h"
+#include "ui/console/events/event_text.h"
+#include "ui/console/events/motion_check_text.h"
+#include "ui/console/motion/way_point_file.h"
+#include "ui/console/motion/way_point_table.h"
+
+#include <QEvent>
+#include <QFileInfo>
+#include <QPushButton>
+
+#include <algorithm>
+
+// What the way-points do; way_points_layout.cpp is how they look and what they say.
+namespace hexapose {
+
+namespace {
+constexpr std::chrono::nanoseconds kNoDwell{0}; // it has settled; there is nothing to wait for
+}
+
+WayPointsPanel::WayPointsPanel(const PlatformGeometry& geometry, QWidget* parent)
+    : QWidget(parent), m_judge(geometry) {
+    build();
+    m_text = [] { return tr("Add poses, or load them; nothing moves until Play or Step"); };
+    retranslate();
+    updateButtons();
+}
+
+void WayPointsPanel::setConnected(bool connected) {
+    m_connected = connected;
+    if (!connected && isRunning()) {
+        const QString row = QString::number(visited() + 1);
+        end([row] { return tr("Ended at way-point %1: the connection was closed").arg(row); });
+    }
+    updateButtons();
+}
+
+void WayPointsPanel::showSnapshot(const Snapshot& snapshot) {
+    m_judge.follow(snapshot);
+    m_measured = snapshot.stale ? std::nullopt : snapshot.measuredPose;
+    m_ready = runHindrance(snapshot).isEmpty() && m_measured.has_value();
+    updateButtons();
+}
+
+void WayPointsPanel::addPose(const std::optional<Pose>& pose) {
+    if (pose) {
+        m_table->append(*pose);
+    }
+}
+
+int WayPointsPanel::visited() const {
+    const int last = m_sequence ? static_cast<int>(m_sequence->count()) - 1 : 0;
+    return m_first + (m_sequence ? std::min(static_cast<int>(m_sequence->finished()), last) : 0);
+}
+
+void WayPointsPanel::play() {
+    start(0, m_table->rowCount());
+}
+
+void WayPointsPanel::step() {
+    start(m_next < m_table->rowCount() ? m_next : 0, 1);
+}
+
+/// All of them from where the platform is, one after the other; the first that cannot be is told.
+bool WayPointsPanel::judgeRows(int first, int count, std::vector<Pose>& poses) {
+    std::optional<Pose> from = m_measured;
+    for (int row = first; row < first + count; ++row) {
+        const QString number = QString::number(row + 1);
+        const auto pose = m_table->poseAt(row);
+        if (!pose) {
+            const QString symbol =
+                coordinateTexts()[static_cast<std::size_t>(m_table->wrongCoordinate(row))].symbol;
+            tell([=] { return tr("Row %1: %2 is not a number. Nothing moved.").arg(number, symbol); });
+            m_table->setCurrentCell(row, m_table->wrongCoordinate(row));
+            return false;
+        }
+        const MotionCheck check = from ? m_judge.move(*from, *pose, m_mode) : m_judge.pose(*pose);
+        if (!check.ok()) {
+            tell([=] { return tr("Row %1: %2. Nothing moved.").arg(number, motionCheckText(check)); });
+            m_table->setCurrentCell(row, 0);
+            return false;
+        }
+        poses.push_back(*pose);
+        from = pose;
+    }
+    return true;
+}
+
+void WayPointsPanel::start(int first, int count) {
+    std::vector<Pose> poses;
+    if (isRunning() || !m_connected || !m_ready || count < 1 || !judgeRows(first, count, poses)) {
+        return;
+    }
+    emit started();
+    setPaused(false);
+    m_first = first;
+    m_sequence.emplace(std::move(poses), kNoDwell);
+    const QString all = QString::number(m_table->rowCount());
+    tell([this, all] { return tr("To way-point %1 of %2").arg(QString::number(visited() + 1), all); });
+    m_table->mark(first);
+    updateButtons();
+}
+
+void WayPointsPanel::add(const Snapshot& snapshot) {
+    if (!m_sequence) {
+        return;
+    }
+    const auto next = m_sequence->add(snapshot);
+    const PoseSequence::Phase phase = m_sequence->phase();
+    if (phase == PoseSequence::Phase::Failed) {
+        const QString row = QString::number(visited() + 1);
+        const Event cause = m_sequence->failure().value_or(Event{EventCode::NotSettled, 0.0, {}});
+        end([row, cause] { return tr("Ended at way-point %1: %2").arg(row, eventText(cause).cause); });
+    } else if (phase == PoseSequence::Phase::Done) {
+        const auto done = static_cast<int>(m_sequence->count());
+        const QString row = QString::number(m_first + done);
+        m_next = (m_first + done) % std::max(m_table->rowCount(), 1);
+        end(done > 1 ? Text([done] { return tr("All %1 way-points visited").arg(done); })
+                     : Text([row] { return tr("At way-point %1").arg(row); }));
+    } else {
+        m_table->mark(visited());
+        m_message->showText(m_text());
+        if (next) {
+            emit runRequested(*next);
+        }
+    }
+}
+
+void WayPointsPanel::stopped() {
+    if (isRunning()) {
+        const QString row = QString::number(visited() + 1);
+        end([row] {
+            return tr("Stopped on the way to way-point %1. Press Clear, then Play or Step.").arg(row);
+        });
+    }
+    setPaused(false); // a stop ends the holding too
+}
+
+void WayPointsPanel::anotherMotion() {
+    if (isRunning()) {
+        const QString row = QString::number(visited() + 1);
+        end([row] { return tr("Ended at way-point %1: another motion was asked for").arg(row); });
+    }
+}
+
+void WayPointsPanel::end(const Text& text) {
+    if (m_sequence && m_sequence->phase() != PoseSequence::Phase::Done) {
+        m_next = visited(); // Step tries it again
+    }
+    m_sequence.reset();
+    m_table->mark(-1);
+    setPaused(false);
+    tell(text);
+    updateButtons();
+}
+
+void WayPointsPanel::setPaused(bool paused) {
+    if (paused == m_paused) {
+        return;
+    }
+    m_paused = paused;
+    m_pause->setChecked(paused);
+    emit holdRequested(paused);
+}
+
+void WayPointsPanel::tell(const Text& text) {
+    m_text = text;
+    m_message->showText(text());
+}
+
+void WayPointsPanel::load(const QString& file) {
+    if (isRunning()) {
+        return;
+    }
+    try {
+        const std::vector<Pose> poses = readPoseList(file.toStdString());
+        m_table->setPoses(poses);
+        m_next = 0;
+        const QString name = QFileInfo(file).fileName();
+        const auto count = poses.size();
+        tell([=] { return tr("%1 way-points from %2").arg(QString::number(count), name); });
+    } catch (const InputError& error) {
+        const QString reason = QString::fromUtf8(error.what());
+        tell([reason] { return tr("The list cannot be used: %1").arg(reason); });
+    }
+}
+
+void WayPointsPanel::save(const QString& file) {
+    std::vector<Pose> poses;
+    for (int row = 0; row < m_table->rowCount(); ++row) {
+        const auto pose = m_table->poseAt(row);
+        if (!pose) {
+            tell([row] {
+                return tr("Row %1 holds something that is no number; nothing was saved").arg(row + 1);
+            });
+            return;
+        }
+        poses.push_back(*pose);
+    }
+    const QString fault = saveWayPoints(file, poses);
+    tell([=] {
+        return fault.isEmpty() ? tr("Saved as %1").arg(file) : tr("The list cannot be saved: %1").arg(fault);
+    });
+}
+
+void WayPointsPanel::updateButtons() {
+    const bool running = isRunning();
+    const int rows = m_table->rowCount();
+    const int at = m_table->currentRow();
+    m_table->setEditable(!running);
+    m_addMeasured->setEnabled(!running && m_measured.has_value());
+    m_addTarget->setEnabled(!running);
+    m_load->setEnabled(!running);
+    m_save->setEnabled(!running && rows > 0);
+    m_remove->setEnabled(!running && at >= 0);
+    m_up->setEnabled(!running && at > 0);
+    m_down->setEnabled(!running && at >= 0 && at < rows - 1);
+    const bool startable = !running && rows > 0 && m_connected && m_ready;
+    m_play->setEnabled(startable);
+    m_step->setEnabled(startable);
+    m_pause->setEnabled(running);
+}
+
+void WayPointsPanel::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    }
+    QWidget::changeEvent(event);
+}
+
+} // namespace hexapose

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/record/snapshot.h"
+#include "core/session/pose_sequence.h"
+#include "ui/console/motion/move_judge.h"
+
+#include <QWidget>
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+class QHBoxLayout;
+class QPushButton;
+
+namespace hexapose {
+
+class TextReadOut;
+class WayPointTable;
+
+/// A list of poses: played from the first to the last, held on the way, or taken one at a time. It is judged
+/// whole before anything moves.
+class WayPointsPanel final : public QWidget {
+    Q_OBJECT
+public:
+    explicit WayPointsPanel(const PlatformGeometry& geometry, QWidget* parent = nullptr);
+
+    void setControl(const ControlOptions& options) { m_judge.setControl(options); }
+    void setConnected(bool connected);
+    void setMode(MotionMode mode) { m_mode = mode; }
+    /// Every snapshot: it says when the next pose is due, and why the list ends early.
+    void add(const Snapshot& snapshot);
+    void showSnapshot(const Snapshot& snapshot);
+    /// What "Add target" adds.
+    void setTargetSource(std::function<std::optional<Pose>()> target) { m_target = std::move(target); }
+
+    bool isRunning() const { return m_sequence.has_value(); }
+    bool isPaused() const { return m_paused; }
+    /// Ends the list; what moves is stopped by Stop, not by this.
+    void stopped();       ///< Stop was pressed
+    void anotherMotion(); ///< something else was asked for
+    WayPointTable& table() { return *m_table; }
+
+public slots:
+    void play();
+    void step();
+    void load(const QString& file);
+    void save(const QString& file);
+
+signals:
+    void started(); ///< before the first Run of a list
+    void runRequested(const hexapose::Pose& target);
+    void holdRequested(bool held); ///< the motion, on its path
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    using Text = std::function<QString()>;
+
+    void build();
+    void addPose(const std::optional<Pose>& pose);
+    QPushButton* addButton(QHBoxLayout& row, int stretch = 1);
+    void start(int first, int count);
+    bool judgeRows(int first, int count, std::vector<Pose>& poses);
+    void setPaused(bool paused);
+    void end(const Text& text);
+    int visited() const; ///< row, from 0
+    void tell(const Text& text);
+    void updateButtons();
+    void chooseFile(bool toSave);
+    void retranslate();
+
+    MoveJudge m_judge;
+    MotionMode m_mode = MotionMode::Joint;
+    std::function<std::optional<Pose>()> m_target;
+    std::optional<Pose> m_measured; ///< present and usable
+    std::optional<PoseSequence> m_sequence;
+    int m_first = 0; ///< row of the sequence's first pose
+    int m_next = 0;  ///< row that Step takes
+    bool m_paused = false;
+    bool m_connected = false;
+    bool m_ready = false; ///< a Run would be taken
+    Text m_text;
+
+    WayPointTable* m_table = nullptr;
+    QPushButton* m_addMeasured = nullptr;
+    QPushButton* m_addTarget = nullptr;
+    QPushButton* m_remove = nullptr;
+    QPushButton* m_up = nullptr;
+    QPushButton* m_down = nullptr;
+    QPushButton* m_load = nullptr;
+    QPushButton* m_save = nullptr;
+    QPushButton* m_play = nullptr;
+    QPushButton* m_pause = nullptr;
+    QPushButton* m_step = nullptr;
+    TextReadOut* m_message = nullptr;
+};
+
+} // namespace hexapose

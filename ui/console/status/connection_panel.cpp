@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/console/status/connection_panel.h"
+
+#include "core/base/number_text.h"
+#include "ui/common/card.h"
+#include "ui/common/solver_choices.h"
+#include "ui/common/status_text.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QIntValidator>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+
+#include <limits>
+#include <utility>
+
+namespace hexapose {
+
+namespace {
+
+constexpr int kBaudRates[] = {9600, 19200, 38400, 57600, 115200, 230400, 460800, 921600};
+constexpr int kUsualBaud = 115200;
+
+/// Looks for ports each time it is opened, because adapters come and go.
+class PortBox final : public QComboBox {
+public:
+    PortBox(std::function<void()> refresh, QWidget* parent)
+        : QComboBox(parent), m_refresh(std::move(refresh)) {}
+    void showPopup() override {
+        m_refresh();
+        QComboBox::showPopup();
+    }
+
+private:
+    std::function<void()> m_refresh;
+};
+
+} // namespace
+
+ConnectionPanel::ConnectionPanel(PortList ports, QWidget* parent)
+    : QWidget(parent), m_ports(std::move(ports)) {
+    build();
+    retranslate();
+    updateButtons();
+}
+
+void ConnectionPanel::build() {
+    m_portLabel = makeCaption(this);
+    m_port = new PortBox([this] { refreshPorts(); }, this);
+    m_port->setEditable(true);
+    m_port->setCompleter(nullptr); // a typed path is taken as it is typed
+    m_port->setInsertPolicy(QComboBox::NoInsert);
+    m_port->setMinimumWidth(170);
+    m_port->addItem(QString());
+    m_baudLabel = makeCaption(this);
+    m_baud = new QComboBox(this);
+    m_baud->setEditable(true);
+    m_baud->setInsertPolicy(QComboBox::NoInsert);
+    m_baud->setValidator(new QIntValidator(1, std::numeric_limits<int>::max(), m_baud));
+    for (const int rate : kBaudRates) {
+        m_baud->addItem(QString::number(rate));
+    }
+    m_baud->setCurrentText(QString::number(kUsualBaud));
+    m_solverLabel = makeCaption(this);
+    m_solver = new QComboBox(this);
+    for (const std::string_view word : kSolverChoices) {
+        m_solver->addItem(solverTitle(word),
+                          QString::fromLatin1(word.data(), static_cast<qsizetype>(word.size())));
+    }
+    m_connect = new QPushButton(this);
+    m_reference = new QPushButton(this);
+    m_enable = new QPushButton(this);
+    m_clear = new QPushButton(this);
+
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(6);
+    for (QWidget* widget :
+         std::initializer_list<QWidget*>{m_portLabel, m_port, m_baudLabel, m_baud, m_connect}) {
+        row->addWidget(widget);
+    }
+    row->addSpacing(14);
+    row->addWidget(m_solverLabel);
+    row->addWidget(m_solver);
+    row->addSpacing(14);
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_reference, m_enable, m_clear}) {
+        row->addWidget(widget);
+    }
+
+    connect(m_port, &QComboBox::currentTextChanged, this, &ConnectionPanel::updateButtons);
+    connect(m_baud, &QComboBox::currentTextChanged, this, &ConnectionPanel::updateButtons);
+    connect(m_solver, &QComboBox::currentIndexChanged, this, [this] {
+        if (const QString word = m_solver->currentData().toString(); !word.isEmpty()) {
+            emit solverChosen(word);
+        }
+    });
+    connect(m_connect, &QPushButton::clicked, this, [this] {
+        if (m_open) {
+            emit disconnectRequested();
+        } else if (const auto where = choice()) {
+            emit connectRequested(*where);
+        }
+    });
+    connect(m_reference, &QPushButton::clicked, this, [this] { emit commandRequested(ReferenceCommand{}); });
+    connect(m_enable, &QPushButton::clicked, this, [this] {
+        const bool on =
+            m_state == RunState::Enabled || m_state == RunState::Settling || m_state == RunState::Moving;
+        emit commandRequested(on ? OperatorCommand(DisableCommand{}) : OperatorCommand(EnableCommand{}));
+    });
+    connect(m_clear, &QPushButton::clicked, this, [this] { emit commandRequested(ClearCommand{}); });
+}
+
+void ConnectionPanel::refreshPorts() {
+    const QString typed = m_port->currentText();
+    const QSignalBlocker quiet(m_port);
+    while (m_port->count() > 1) {
+        m_port->removeItem(1);
+    }
+    m_port->addItems(m_ports ? m_ports() : QStringList());
+    m_port->setCurrentIndex(m_port->findText(typed));
+    m_port->setEditText(typed);
+}
+
+bool ConnectionPanel::isVirtual() const {
+    return m_port->currentText().trimmed() == m_port->itemText(0);
+}
+
+void ConnectionPanel::setChoice(const ConnectionChoice& choice) {
+    m_port->setEditText(choice.virtualPlatform ? m_port->itemText(0) : choice.port);
+    m_baud->setEditText(QString::number(choice.baud));
+}
+
+std::optional<ConnectionChoice> ConnectionPanel::choice() const {
+    ConnectionChoice choice;
+    choice.virtualPlatform = isVirtual();
+    choice.port = choice.virtualPlatform ? QString() : m_port->currentText().trimmed();
+    const auto baud = parseInteger(m_baud->currentText().toStdString());
+    const bool baudFits = baud && *baud > 0 && *baud <= std::numeric_limits<int>::max();
+    if (!choice.virtualPlatform && (!baudFits || choice.port.isEmpty())) {
+        return std::nullopt;
+    }
+    choice.baud = baudFits ? static_cast<int>(*baud) : kUsualBaud;
+    return choice;
+}
+
+void ConnectionPanel::setAvailable(bool available) {
+    m_available = available;
+    updateButtons();
+}
+
+void ConnectionPanel::setSolver(std::string_view word) {
+    const QSignalBlocker quiet(m_solver);
+    m_solver->setCurrentIndex(
+        m_solver->findData(QString::fromLatin1(word.data(), static_cast<qsizetype>(word.size()))));
+}
+
+void ConnectionPanel::setSolverPending(bool pending) {
+    m_solverPending = pending;
+    updateSolver();
+}
+
+/// In mid-move the loop keeps the solver it has.
+void ConnectionPanel::updateSolver() {
+    const bool moving = m_state == RunState::Moving || m_state == RunState::Settling;
+    const bool free = !moving && !m_solverPending;
+    // Qt would hand the focus of a disabled box on to a button, and the next key might press it.
+    if (!free && window()->focusWidget() == m_solver) {
+        m_solver->clearFocus();
+        m_solverHadFocus = true;
+    }
+    m_solver->setEnabled(free);
+    if (free && std::exchange(m_solverHadFocus, false) && window()->focusWidget() == nullptr) {
+        m_solver->setFocus();
+    }
+    const QString why = moving ? tr("The solver cannot be changed while the platform moves.")
+                        : m_solverPending
+                            ? tr("The solver is being made ready.")
+                            : tr("What makes the pose of the leg lengths.\nMPR3-NR, MPR2-NR: regression, "
+                                 "then Newton\nNewton: iteration alone\nFSI: follows the path of the legs in "
+                                 "small steps\nChanging it moves nothing.");
+    m_solver->setToolTip(why);
+    m_solver->setAccessibleDescription(why);
+}
+
+void ConnectionPanel::setOpen(bool open) {
+    m_open = open;
+    m_state = RunState::Disconnected;
+    retranslate();
+    updateButtons();
+}
+
+void ConnectionPanel::showState(RunState state) {
+    if (state != m_state) {
+        m_state = state;
+        retranslate();
+        updateButtons();
+    }
+}
+
+void ConnectionPanel::updateButtons() {
+    updateSolver();
+    m_port->setEnabled(!m_open);
+    m_baud->setEnabled(!m_open && !isVirtual());
+    m_connect->setEnabled(m_open || (m_available && choice()));
+    const bool linked = m_open && m_state != RunState::Disconnected;
+    m_reference->setEnabled(linked && (m_state == RunState::Unreferenced || m_state == RunState::Disabled));
+    m_enable->setEnabled(linked && m_state != RunState::Unreferenced && m_state != RunState::Stopped &&
+                         m_state != RunState::Fault);
+    m_clear->setEnabled(linked && (m_state == RunState::Stopped || m_state == RunState::Fault));
+}
+
+void ConnectionPanel::retranslate() {
+    const bool wasVirtual = m_port->currentText() == m_port->itemText(0);
+    m_port->setItemText(0, tr("Virtual platform"));
+    if (wasVirtual) {
+        m_port->setEditText(m_port->itemText(0));
+    }
+    m_portLabel->setText(tr("Connection"));
+    // On Linux a box gives its value for its name; its editor is where a screen reader finds the name.
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_port, m_port->lineEdit()}) {
+        widget->setAccessibleName(tr("Connection"));
+    }
+    m_port->setToolTip(tr("The built-in virtual platform, or a serial port; any path can be typed"));
+    m_baudLabel->setText(tr("Baud rate"));
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_baud, m_baud->lineEdit()}) {
+        widget->setAccessibleName(tr("Baud rate"));
+    }
+    m_solverLabel->setText(tr("Solver"));
+    m_solver->setAccessibleName(tr("Solver"));
+    updateSolver();
+    const auto name = [](QPushButton* button, const QString& text, const QString& tip) {
+        button->setText(text);
+        button->setAccessibleName(text);
+        button->setToolTip(tip);
+    };
+    const bool on =
+        m_state == RunState::Enabled || m_state == RunState::Settling || m_state == RunState::Moving;
+    name(m_connect, m_open ? tr("Disconnect") : tr("Connect"),
+         m_open ? tr("Stop, disable and close the port") : tr("Open the port; nothing moves"));
+    name(m_reference, tr("Reference"), tr("Find the reference of the legs"));
+    name(m_enable, on ? tr("Disable") : tr("Enable"),
+         on ? tr("Take the drives off") : tr("Put the drives on"));
+    name(m_clear, tr("Clear"), tr("Leave a stop or a fault; nothing moves"));
+}
+
+void ConnectionPanel::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+    }
+    QWidget::changeEvent(event);
+}
+
+} // namespace hexapose
