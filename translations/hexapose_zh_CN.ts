@@ -227,10 +227,6 @@ FSI：以小步沿支腿路径跟踪
         <translation>%1：%2</translation>
     </message>
     <message>
-        <source>the last measurement is too old</source>
-        <translation>最近的测量值太旧</translation>
-    </message>
-    <message>
         <source>Connected</source>
         <translation>已连接</translation>
     </message>
@@ -435,10 +431,6 @@ FSI：以小步沿支腿路径跟踪
         <translation>已停止：支腿未跟随</translation>
     </message>
     <message>
-        <source>Stopped: leg %1 is %2 mm from its set-point, more than %3 mm</source>
-        <translation>已停止：支腿 %1 与设定值相差 %2 mm，超过 %3 mm</translation>
-    </message>
-    <message>
         <source>Wait until the motion is over.</source>
         <translation>请等待运动结束。</translation>
     </message>
@@ -469,6 +461,18 @@ FSI：以小步沿支腿路径跟踪
     <message>
         <source>The solver is now %1</source>
         <translation>当前求解器为 %1</translation>
+    </message>
+    <message>
+        <source>Wait until a controller is connected.</source>
+        <translation>请等待控制器连接。</translation>
+    </message>
+    <message>
+        <source>Nothing has changed.</source>
+        <translation>没有任何改变。</translation>
+    </message>
+    <message>
+        <source>Nothing moved. Try again.</source>
+        <translation>未产生运动。请重试。</translation>
     </message>
 </context>
 <context>
@@ -1538,10 +1542,6 @@ FSI：以小步沿支腿路径跟踪
         <translation>支腿 %1 加速度将为 %2 mm/s²，超过其 %3 mm/s²</translation>
     </message>
     <message>
-        <source>%1, at %2 % of the way</source>
-        <translation>%1（位于路径 %2 % 处）</translation>
-    </message>
-    <message>
         <source>The path comes too close to a singular pose</source>
         <translation>路径过于接近奇异位姿</translation>
     </message>
@@ -1554,16 +1554,32 @@ FSI：以小步沿支腿路径跟踪
         <translation>支腿 %1 将运动过快</translation>
     </message>
     <message>
-        <source>Leg %1 would accelerate too hard</source>
-        <translation>支腿 %1 加速度将过大</translation>
-    </message>
-    <message>
         <source>%1 would be outside its allowed range</source>
         <translation>%1 将超出允许范围</translation>
     </message>
     <message>
         <source>Beyond the singular poses</source>
         <translation>越过奇异位姿</translation>
+    </message>
+    <message>
+        <source>%1, at %2 % of the path</source>
+        <translation>%1（位于路径 %2 % 处）</translation>
+    </message>
+    <message>
+        <source>Leg %1 would exceed its acceleration limit</source>
+        <translation>支腿 %1 将超过其加速度限值</translation>
+    </message>
+    <message>
+        <source>The path runs along a singular pose, or is too long to be checked in time</source>
+        <translation>路径贴近奇异位姿，或过长而无法及时检查</translation>
+    </message>
+    <message>
+        <source>The platform has moved since the motion was planned</source>
+        <translation>规划之后平台已移动</translation>
+    </message>
+    <message>
+        <source>The limits have changed since the motion was planned</source>
+        <translation>规划之后限值已改变</translation>
     </message>
 </context>
 <context>
@@ -1812,6 +1828,161 @@ PgDn、PgUp：z
     <message>
         <source>&amp;Keys...</source>
         <translation>按键(&amp;K)...</translation>
+    </message>
+</context>
+<context>
+    <name>hexapose::PayloadText</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>the sweep names no axis</source>
+        <translation>扫频未指定坐标轴</translation>
+    </message>
+    <message>
+        <source>the amplitude of the sweep is not above zero</source>
+        <translation>扫频幅值必须大于零</translation>
+    </message>
+    <message>
+        <source>a frequency of the sweep is below zero</source>
+        <translation>扫频频率不得小于零</translation>
+    </message>
+    <message>
+        <source>the duration of the sweep is not above zero</source>
+        <translation>扫频时长必须大于零</translation>
+    </message>
+    <message>
+        <source>no controller is connected</source>
+        <translation>未连接控制器</translation>
+    </message>
+    <message>
+        <source>the controller has not confirmed the stop yet</source>
+        <translation>控制器尚未确认停止</translation>
+    </message>
+    <message>
+        <source>a length is not a positive number</source>
+        <translation>有长度不是正数</translation>
+    </message>
+    <message>
+        <source>it speaks protocol version %1, not 1</source>
+        <translation>其协议版本为 %1，而不是 1</translation>
+    </message>
+    <message>
+        <source>it has %1 legs, not 6</source>
+        <translation>它有 %1 条支腿，而不是 6 条</translation>
+    </message>
+    <message>
+        <source>a field of its identity cannot be read, or is out of range</source>
+        <translation>其标识中有字段无法读取或超出范围</translation>
+    </message>
+    <message>
+        <source>there is no such port</source>
+        <translation>没有该端口</translation>
+    </message>
+    <message>
+        <source>this is not a serial port</source>
+        <translation>这不是串口</translation>
+    </message>
+    <message>
+        <source>no permission; add yourself to the group of serial ports (%1), then log in again</source>
+        <translation>没有权限；请将自己加入串口用户组（%1），然后重新登录</translation>
+    </message>
+    <message>
+        <source>another program has the port open</source>
+        <translation>端口已被其他程序打开</translation>
+    </message>
+    <message>
+        <source>the port cannot be opened (%1)</source>
+        <translation>无法打开端口（%1）</translation>
+    </message>
+    <message>
+        <source>the port is gone</source>
+        <translation>端口已消失</translation>
+    </message>
+    <message>
+        <source>the port accepts no more bytes</source>
+        <translation>端口不再接收数据</translation>
+    </message>
+    <message>
+        <source>the port is closed</source>
+        <translation>端口已关闭</translation>
+    </message>
+    <message>
+        <source>the last measurement is too old</source>
+        <translation>最近的测量值太旧</translation>
+    </message>
+    <message>
+        <source>disabling was asked for</source>
+        <translation>已请求去使能</translation>
+    </message>
+    <message>
+        <source>leg %1 is %2 mm from its set-point, more than %3 mm</source>
+        <translation>支腿 %1 与设定值相差 %2 mm，超过 %3 mm</translation>
+    </message>
+    <message>
+        <source>leg %1 is %2 mm off the path, more than %3 mm</source>
+        <translation>支腿 %1 偏离路径 %2 mm，超过 %3 mm</translation>
+    </message>
+    <message>
+        <source>leg %1 is %2 mm off the path, and the motion makes no progress</source>
+        <translation>支腿 %1 偏离路径 %2 mm，且运动没有进展</translation>
+    </message>
+    <message>
+        <source>%1: not done in time</source>
+        <translation>%1：未及时完成</translation>
+    </message>
+    <message>
+        <source>%1: not answered</source>
+        <translation>%1：未应答</translation>
+    </message>
+    <message>
+        <source>%1 to %2 mm</source>
+        <translation>%1 至 %2 mm</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>%1 rows were lost</source>
+        <translation>丢失了 %1 行</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>回参考点</translation>
+    </message>
+    <message>
+        <source>Enable</source>
+        <translation>使能</translation>
+    </message>
+    <message>
+        <source>Disable</source>
+        <translation>去使能</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>清除</translation>
+    </message>
+    <message>
+        <source>Set-point</source>
+        <translation>设定值</translation>
+    </message>
+    <message>
+        <source>Feedback period</source>
+        <translation>反馈周期</translation>
+    </message>
+    <message>
+        <source>Identification</source>
+        <translation>识别</translation>
+    </message>
+    <message>
+        <source>Unknown state</source>
+        <translation>未知状态</translation>
     </message>
 </context>
 </TS>

@@ -8,6 +8,7 @@
 #include "core/base/units.h"
 #include "core/kinematics/inverse_kinematics.h"
 #include "core/motion/limits.h"
+#include "core/record/motion_check_words.h"
 
 #include <cstdio>
 #include <limits>

@@ -18,14 +18,14 @@ namespace {
 
 using namespace hexapose;
 
-struct Command {
+struct Subcommand {
     const char* name;
     int (*run)(const QStringList& arguments);
     bool draws; ///< needs fonts and a paint engine, but never a display
     const char* help;
 };
 
-constexpr Command kCommands[] = {
+constexpr Subcommand kSubcommands[] = {
     {"inverse", inverseCommand, false, "leg lengths of poses"},
     {"forward", forwardCommand, false, "poses of leg lengths"},
     {"train", trainCommand, false, "fit a regression model to a platform"},
@@ -41,15 +41,15 @@ void printHelp() {
     std::puts(
         "Usage: hexapose-cli COMMAND [OPTIONS]\n\nForward kinematics and control of six-legged parallel "
         "platforms.\n\nCommands:");
-    for (const Command& command : kCommands)
+    for (const Subcommand& command : kSubcommands)
         std::printf("  %-10s %s\n", command.name, command.help);
     std::puts(
         "\n'hexapose-cli COMMAND --help' lists the options of a command. Exit status: 0 done; 1 the work ran "
         "but some\nrows or checks failed; 2 bad usage or input.");
 }
 
-const Command* findCommand(const char* name) {
-    for (const Command& command : kCommands)
+const Subcommand* findSubcommand(const char* name) {
+    for (const Subcommand& command : kSubcommands)
         if (std::strcmp(command.name, name) == 0)
             return &command;
     return nullptr;
@@ -61,7 +61,7 @@ void dropRemarks(QtMsgType type, const QMessageLogContext&, const QString& text)
         std::fprintf(stderr, "hexapose-cli: %s\n", text.toLocal8Bit().constData());
 }
 
-int runGuarded(const Command& command, const QStringList& arguments) {
+int runGuarded(const Subcommand& command, const QStringList& arguments) {
     try {
         int status = command.run(arguments);
         if (std::fflush(stdout) != 0 || std::ferror(stdout))
@@ -92,7 +92,7 @@ int main(int argc, char** argv) {
         std::puts("hexapose-cli " HEXAPOSE_VERSION);
         return kExitDone;
     }
-    const Command* command = findCommand(argv[1]);
+    const Subcommand* command = findSubcommand(argv[1]);
     if (!command) {
         std::fprintf(stderr, "hexapose-cli: unknown command '%s' (see hexapose-cli --help)\n", argv[1]);
         return kExitBadInput;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "app/cli/pose_run.h"
+#include "core/record/event_codec.h"
 
 #include <utility>
 
@@ -40,7 +41,7 @@ void PoseRun::checkConnection(const Snapshot& snapshot) {
     const std::string within = " within " + std::to_string(m_options.connectWithin.count()) + " s";
     for (const Event& event : snapshot.events)
         if (event.code == EventCode::ControllerRefused)
-            m_uselessAnswer = event.detail;
+            m_uselessAnswer = payloadWords(event);
     if (snapshot.link == LinkState::ListenOnly)
         m_failure = "an unprotected sender of lengths takes no commands";
     else if (snapshot.time > m_options.connectWithin)
@@ -48,7 +49,7 @@ void PoseRun::checkConnection(const Snapshot& snapshot) {
                                             : "no usable answer" + within + ": " + m_uselessAnswer;
     for (const Event& event : snapshot.events)
         if (event.code == EventCode::LinkLost)
-            m_failure = event.detail;
+            m_failure = payloadWords(event);
 }
 
 std::string PoseRun::endingWords(const Snapshot& snapshot) const {

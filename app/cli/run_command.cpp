@@ -13,6 +13,7 @@
 #include "core/base/units.h"
 #include "core/motion/limits.h"
 #include "core/record/log_metadata.h"
+#include "core/record/motion_check_words.h"
 #include "core/record/pose_list.h"
 #include "core/report/error_report.h"
 #include "ui/report/report_export.h"
@@ -125,7 +126,8 @@ std::optional<SweepSettings> sweepOf(const Arguments& arguments) {
     sweep.endFrequency = numbers[2];
     sweep.seconds = numbers[3];
     if (const auto fault = faultOf(sweep))
-        throw InputError("--sweep", "'" + text + "': " + *fault + " (expected AXIS,AMPLITUDE,HZ,HZ,SECONDS)");
+        throw InputError("--sweep", "'" + text + "': " + std::string(toWords(*fault)) +
+                                        " (expected AXIS,AMPLITUDE,HZ,HZ,SECONDS)");
     return sweep;
 }
 

@@ -30,7 +30,9 @@ class VirtualDevice final : public PlatformDevice {
 public:
     explicit VirtualDevice(const PlatformGeometry& geometry)
         : m_server(geometry), m_device(makeSerialDevice(m_server.path(), kVirtualBaud)) {}
-    DeviceFeedback exchange(const SetPoints& setPoints) override { return m_device->exchange(setPoints); }
+    const DeviceFeedback& read() override { return m_device->read(); }
+    void write(const SetPoints& setPoints) override { m_device->write(setPoints); }
+    void interrupt() override { m_device->interrupt(); }
 
 private:
     VirtualPlatformServer m_server;

@@ -2,19 +2,31 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/record/device_words.h"
+#include "core/record/port_failure.h"
+
 #include <chrono>
 #include <cstddef>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace hexapose {
 
-/// The port is gone or cannot be opened; what() is the system's reason.
+/// The port is gone or cannot be opened.
 class ChannelError : public std::runtime_error {
 public:
-    using std::runtime_error::runtime_error;
+    explicit ChannelError(PortFailure failure)
+        : std::runtime_error(toWords(failure)), m_failure(std::move(failure)) {}
+    /// For a reason that has no kind of its own.
+    explicit ChannelError(const std::string& reason)
+        : ChannelError(PortFailure{PortFailure::Kind::Other, {}, reason}) {}
+    const PortFailure& failure() const { return m_failure; }
+
+private:
+    PortFailure m_failure;
 };
 
 /// Bytes to and from a controller. One thread owns it.

@@ -4,15 +4,16 @@
 #include "core/device/reconnecting_device.h"
 
 #include "core/device/byte_channel.h"
+#include "core/device/interruption.h"
 
-#include <optional>
-#include <thread>
+#include <mutex>
+#include <utility>
 
 namespace hexapose {
 
 namespace {
 
-constexpr std::chrono::milliseconds kPauseWithoutPort{10};
+constexpr std::chrono::milliseconds kPauseWithoutPort{10}; ///< a port gives no sign when it comes back
 
 } // namespace
 
@@ -25,7 +26,9 @@ struct ReconnectingDevice::Impl {
     DeviceFeedback last; ///< without port: what was known of the controller, and when it was last heard
     LinkCounters before; ///< of the ports that are gone
     Clock::time_point nextTry{};
-    bool lossSaid = false;
+    bool lossReported = false;
+    Interruption interruption; ///< where there is no port
+    std::mutex mutex;          ///< guards the pointer to the device against interrupt()
 
     void open();
 };
@@ -33,11 +36,13 @@ struct ReconnectingDevice::Impl {
 void ReconnectingDevice::Impl::open() {
     nextTry = Clock::now() + retryEvery;
     try {
-        device = opener();
+        std::unique_ptr<PlatformDevice> opened = opener();
+        const std::lock_guard lock(mutex);
+        device = std::move(opened);
     } catch (const ChannelError& error) {
-        if (!lossSaid)
-            last.notices.push_back({DeviceNotice::Kind::LinkLost, {}, error.what()});
-        lossSaid = true;
+        if (!lossReported)
+            last.notices.push_back(notice::LinkLost{error.failure()});
+        lossReported = true;
     }
 }
 
@@ -49,7 +54,7 @@ ReconnectingDevice::ReconnectingDevice(Opener opener, std::chrono::milliseconds 
 
 ReconnectingDevice::~ReconnectingDevice() = default;
 
-DeviceFeedback ReconnectingDevice::exchange(const SetPoints& setPoints) {
+const DeviceFeedback& ReconnectingDevice::read() {
     Impl& impl = *m_impl;
     impl.last.notices.clear();
     impl.last.lengths.reset();
@@ -57,21 +62,36 @@ DeviceFeedback ReconnectingDevice::exchange(const SetPoints& setPoints) {
     if (!impl.device && Impl::Clock::now() >= impl.nextTry)
         impl.open();
     if (!impl.device) {
-        std::this_thread::sleep_for(kPauseWithoutPort); // a port says nothing when it comes back
+        impl.interruption.wait(kPauseWithoutPort);
         return impl.last;
     }
     const auto heardAt = impl.last.receivedAt;
-    impl.last = impl.device->exchange(setPoints);
+    impl.last = impl.device->read();
     impl.last.counters += impl.before;
     if (impl.last.receivedAt < heardAt)
         impl.last.receivedAt = heardAt;
-    impl.lossSaid = impl.last.link == LinkState::Lost;
-    if (impl.lossSaid) {
-        impl.device.reset();
+    impl.lossReported = impl.last.link == LinkState::Lost;
+    if (impl.lossReported) {
+        {
+            const std::lock_guard lock(impl.mutex);
+            impl.device.reset();
+        }
         impl.before = impl.last.counters;
         impl.nextTry = Impl::Clock::now() + impl.retryEvery;
     }
     return impl.last;
+}
+
+void ReconnectingDevice::write(const SetPoints& setPoints) {
+    if (m_impl->device)
+        m_impl->device->write(setPoints);
+}
+
+void ReconnectingDevice::interrupt() {
+    m_impl->interruption.request();
+    const std::lock_guard lock(m_impl->mutex);
+    if (m_impl->device)
+        m_impl->device->interrupt();
 }
 
 } // namespace hexapose

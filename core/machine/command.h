@@ -4,33 +4,45 @@
 
 #include "core/geometry/pose.h"
 #include "core/motion/jog.h"
+#include "core/motion/motion_mode.h"
+#include "core/motion/motion_planner.h"
 #include "core/motion/sine_sweep.h"
-#include "core/record/motion_mode.h"
+#include "core/record/motion_id.h"
 
+#include <memory>
 #include <variant>
 
 namespace hexapose {
 
 /// To a pose: reference and enable first, where that is still due.
 struct RunCommand {
-    Pose target;
+    Pose target; ///< of P from home, base frame
     MotionMode mode = MotionMode::Joint;
+    MotionId id = kNoMotion; ///< the asker's, so that it knows its own motion again in the snapshots
+    /// Planned already for this request; used if the start and the limits are still those of the plan.
+    std::shared_ptr<const PlannedMotion> plan = {};
 };
 /// A sine sweep about the pose where the platform is, in workspace mode.
 struct SweepCommand {
     SweepSettings settings;
+    MotionId id = kNoMotion;
 };
-/// A jog button is held: said again at least every 150 ms, or the jog comes to rest.
+/// A jog button is held: repeated at least every 150 ms, or the jog comes to rest. All repeats of one press
+/// carry its id: a press whose jog has ended starts no other.
 struct JogCommand {
     JogDirection direction;
-    double part = 1.0; ///< 0..1 of full speed
+    double speedOverride = 1.0; ///< 0..1 of full speed
+    MotionId id = kNoMotion;
 };
 /// The button was let go.
 struct JogReleaseCommand {};
-/// Part of full speed for everything that moves, 0..1. 0 holds a motion on its path.
+/// Speed override of everything that moves, 0..1.
 struct SpeedCommand {
-    double part = 1.0;
+    double speedOverride = 1.0;
 };
+/// Holds the present motion on its path; until Resume, or until something ends the motion.
+struct HoldCommand {};
+struct ResumeCommand {};
 struct StopCommand {};
 struct ReferenceCommand {};
 struct EnableCommand {};
@@ -39,7 +51,7 @@ struct ClearCommand {};
 
 /// What an operator, or a program in their place, can ask for.
 using OperatorCommand =
-    std::variant<RunCommand, SweepCommand, JogCommand, JogReleaseCommand, SpeedCommand, StopCommand,
-                 ReferenceCommand, EnableCommand, DisableCommand, ClearCommand>;
+    std::variant<RunCommand, SweepCommand, JogCommand, JogReleaseCommand, SpeedCommand, HoldCommand,
+                 ResumeCommand, StopCommand, ReferenceCommand, EnableCommand, DisableCommand, ClearCommand>;
 
 } // namespace hexapose

@@ -3,268 +3,206 @@
 
 #include "core/machine/control_loop.h"
 
-#include "core/base/number_text.h"
-#include "core/base/units.h"
-#include "core/machine/control_loop_impl.h"
+#include "core/machine/controller_link.h"
+#include "core/machine/motion_runner.h"
+#include "core/machine/pose_estimate.h"
+#include "core/machine/supervisor.h"
 
-#include <algorithm>
-#include <cmath>
+#include <mutex>
+#include <utility>
+#include <vector>
 
 namespace hexapose {
 
 namespace {
 
-constexpr double kSettleWindow = 2e-4;       ///< m
-constexpr double kSettleOfStroke = 2e-3;     ///< for machines with small strokes,
-constexpr double kSettleRounding = 1e-4;     ///< m, but no less than a length is commonly rounded to,
-constexpr double kSettleMostOfStroke = 0.02; ///< unless that is much of the stroke
-/// Largest distance of a leg from its set-point, of the machine's size: 24 mm for the laboratory platform,
-/// whose legs lag by 10 mm at most.
-constexpr double kFollowingOfSize = 0.08;
-constexpr double kOrdinaryLag = 0.3;    ///< s; a machine of long strokes for its size may lag further
-constexpr double kGapOfFollowing = 0.5; ///< a set-point goes so far ahead of its leg, of what would stop
-constexpr double kRestOfWindow = 0.5;   ///< an error so small is not corrected any more, of the settle window
 constexpr std::chrono::milliseconds kShutDownWithin{1500}; ///< a disabling is repeated for so long
 
-WorkspaceOptions workspaceOptions(const ControlOptions& options) {
-    WorkspaceOptions workspace;
-    workspace.gain = options.gain;
-    workspace.legSpeed = options.bounds.legSpeed;
-    workspace.gapLimit = kGapOfFollowing * options.followingLimit;
-    workspace.restDistance = kRestOfWindow * options.settleWindow.distance;
-    workspace.restAngle = kRestOfWindow * options.settleWindow.angle;
-    return workspace;
+std::unique_ptr<Planner> orThread(std::unique_ptr<Planner> planner, const PlatformGeometry& geometry) {
+    return planner ? std::move(planner) : std::make_unique<PlanningThread>(geometry);
 }
 
 } // namespace
 
-ControlOptions withDefaults(ControlOptions options, const PlatformGeometry& geometry) {
-    options.bounds = withDefaults(options.bounds, geometry);
-    double stroke = 0.0;
-    for (const Leg& leg : geometry.legs)
-        stroke += (leg.maxLength - leg.minLength) / kLegCount;
-    if (options.settleWindow.distance <= 0.0)
-        options.settleWindow.distance =
-            std::min(kSettleWindow, std::max(kSettleOfStroke * stroke,
-                                             std::min(kSettleRounding, kSettleMostOfStroke * stroke)));
-    if (options.settleWindow.angle <= 0.0)
-        options.settleWindow.angle = options.settleWindow.distance / geometry.jointRadius();
-    if (options.followingLimit <= 0.0)
-        options.followingLimit =
-            std::max(kFollowingOfSize * geometry.size(), kOrdinaryLag * options.bounds.legSpeed);
-    return options;
-}
+struct ControlLoop::Impl {
+    Impl(PlatformDevice& device, const PlatformGeometry& theGeometry, const ForwardSolver& solver,
+         const ControlOptions& theOptions, Sink theSink, std::function<Clock::time_point()> theNow,
+         std::unique_ptr<Planner> thePlanner)
+        : geometry(theGeometry), options(withDefaults(theOptions, theGeometry)), sink(std::move(theSink)),
+          now(std::move(theNow)), sessionStart(now()), planner(orThread(std::move(thePlanner), geometry)),
+          link(device, options.staleAfter), estimate(geometry, solver), motion(geometry, options, *planner),
+          supervisor(geometry, options, link, estimate, motion) {}
 
-ControlLoop::Impl::Impl(PlatformDevice& theDevice, const PlatformGeometry& theGeometry,
-                        const ForwardSolver& theSolver, const ControlOptions& theOptions, Sink theSink,
-                        Now theNow)
-    : device(theDevice), geometry(theGeometry), solver(theSolver),
-      options(withDefaults(theOptions, theGeometry)), sink(std::move(theSink)), now(std::move(theNow)),
-      sessionStart(now()), monitor(options.staleAfter), follow(options.followingLimit, options.echoWithin),
-      homeDeterminant(singularityMeasure(geometry, Pose{}).determinant),
-      workspace(geometry, workspaceOptions(options)) {}
-
-MotionLimits ControlLoop::Impl::limits() const {
-    MotionLimits all = motionLimits(geometry, feedback.minLength, feedback.maxLength);
-    all.envelope = options.envelope;
-    all.legSpeed = options.bounds.legSpeed;
-    all.legAcceleration = options.bounds.legAcceleration;
-    return all;
-}
-
-Transition ControlLoop::Impl::apply(MachineEvent event) {
-    const Transition made = transition(machine, event);
-    machine = made.next;
-    if (!made.defined && isCommand(event))
-        refuse(event);
-    return made;
-}
-
-void ControlLoop::Impl::dropMotion() {
-    move.reset();
-    wish.reset();
-    law.reset();
-    jog = nullptr;
-    apply(MachineEvent::MotionDropped);
-    commanded.reset();
-    commandedPose.reset();
-    follow.reset();
-    goal.reset(); // after a stop the target is where the platform is
-}
-
-void ControlLoop::Impl::stop(Event cause) {
-    raise(std::move(cause));
-    halt();
-}
-
-void ControlLoop::Impl::halt() {
-    unnamedStop.clear();
-    apply(MachineEvent::Trips);
-    dropMotion();
-    tookOver = false;
-    referenceTries = 0;
-    pendingRequest = DeviceRequest::Stop;
-}
-
-/// Where the legs are. A measurement a hair beyond the end of a stroke, by no more than the settle window, is
-/// that end: its noise must not stop a machine that stands there.
-LegLengths ControlLoop::Impl::holdPoint() const {
-    const MotionLimits bounds = limits();
-    LegLengths hold = *measured;
-    for (int i = 0; i < kLegCount; ++i) {
-        const double within = std::min(std::max(hold[i], bounds.minLength[i]), bounds.maxLength[i]);
-        if (std::abs(within - hold[i]) <= options.settleWindow.distance)
-            hold[i] = within;
+    void begins(CyclePhase phase) {
+        if (observer != nullptr)
+            observer->onPhase(phase);
     }
-    return hold;
+    std::vector<OperatorCommand> takeCommands() {
+        const std::lock_guard lock(commandMutex);
+        return std::exchange(commands, {});
+    }
+    void updateTargetPose();
+    Snapshot snapshot();
+    void publish() { sink(snapshot()); }
+    void exchange(DeviceRequest request);
+    bool isConfirmedOff() const;
+
+    const PlatformGeometry geometry;
+    const ControlOptions options;
+    Sink sink;
+    std::function<Clock::time_point()> now;
+    const Clock::time_point sessionStart;
+    std::unique_ptr<Planner> planner;
+
+    ControllerLink link;
+    PoseEstimate estimate;
+    MotionRunner motion;
+    Supervisor supervisor;
+
+    std::mutex commandMutex;
+    std::vector<OperatorCommand> commands;
+    std::optional<LegLengths> solvedSetPoint; ///< the one that targetPose belongs to
+    std::optional<Pose> targetPose;
+    std::uint64_t cycleCount = 0;
+    CycleObserver* observer = nullptr;
+};
+
+/// Where the platform should be now: on the path, or in joint mode the pose of the set-point.
+void ControlLoop::Impl::updateTargetPose() {
+    const std::optional<LegLengths>& setPoint = motion.setPoint();
+    if (const std::optional<PoseReference> reference = setPoint ? motion.reference() : std::nullopt) {
+        targetPose = reference->pose;
+        solvedSetPoint.reset();
+    } else if (!setPoint) {
+        targetPose.reset();
+        solvedSetPoint.reset();
+    } else if (!solvedSetPoint || *solvedSetPoint != *setPoint) {
+        targetPose = estimate.poseOf(*setPoint, targetPose);
+        solvedSetPoint = setPoint;
+    }
 }
 
-/// Another name or other limits than before: what was judged and sent so far was meant for another machine.
-void ControlLoop::Impl::watchIdentity() {
-    if (!takesCommands())
-        return;
-    Identity present{feedback.controllerName, feedback.minLength, feedback.maxLength};
-    if (identity && *identity != present && (move || commanded)) {
-        std::string detail = present.name;
-        if (present.minLength && present.maxLength)
-            detail += ", " + formatNumber(mmFromMetres(*present.minLength)) + " to " +
-                      formatNumber(mmFromMetres(*present.maxLength)) + " mm";
-        stop({EventCode::StoppedOnNewIdentity, 0.0, detail});
-    }
-    identity = std::move(present);
-}
-
-SetPoints ControlLoop::Impl::nextSetPoints(Clock::time_point time) {
-    SetPoints out;
-    if (!commanded)
-        follow.reset();
-    if (pendingRequest == DeviceRequest::None && move)
-        request(move->takeRequest());
-    out.request = std::exchange(pendingRequest, DeviceRequest::None);
-    const std::chrono::nanoseconds since = std::clamp<std::chrono::nanoseconds>(
-        time - std::exchange(lastStep, time), std::chrono::nanoseconds(0), options.longestPathStep);
-    const bool on = machine.run == RunState::Enabled || moving();
-    if (out.request == DeviceRequest::Stop || !on || !tookOver || !takesCommands() ||
-        feedback.state != ControllerState::Enabled)
-        return out;
-    if (law) {
-        if (jog && time - jogHeldAt > options.jogHold)
-            jog->release();
-        MotionGenerator::Cycle cycle{std::chrono::duration<double>(since).count(), speed, {}, {}, limits()};
-        if (feedback.lengths && measuredPose) {
-            cycle.lengths = feedback.lengths;
-            cycle.pose = measuredPose;
-        }
-        commanded = law->step(cycle);
-    } else if (!commanded && !monitor.stale()) {
-        commanded = holdPoint(); // the controller's watchdog wants to hear us
-    }
-    if (!commanded)
-        return out;
-    if (const MotionCheck check = checkLegs(limits(), *commanded); !check.ok()) {
-        stop({EventCode::StoppedOnLimits, 0.0, toWords(check)});
-        return {std::nullopt, std::exchange(pendingRequest, DeviceRequest::None)};
-    }
-    out.lengths = commanded;
-    follow.sent(time);
-    return out;
-}
-
-void ControlLoop::Impl::publish(Clock::time_point time) {
-    if (commanded) {
-        const std::optional<PoseReference> reference = law ? law->reference() : std::nullopt;
-        const ForwardResult path =
-            reference ? ForwardResult{} : solver.solve(*commanded, commandedPose.value_or(lastPose));
-        commandedPose = reference         ? std::optional(reference->pose)
-                        : path.isUsable() ? std::optional(path.pose)
-                                          : std::nullopt;
-    }
+Snapshot ControlLoop::Impl::snapshot() {
+    const DeviceFeedback& feedback = link.feedback();
     Snapshot s;
-    s.time = time - sessionStart;
+    s.time = now() - sessionStart;
     s.wallTime = std::chrono::system_clock::now();
     s.cycle = cycleCount++;
-    s.state = state();
+    s.state = supervisor.state();
+    s.allowed = supervisor.allowed();
     s.link = feedback.link;
     s.controllerState = feedback.state;
     s.protectedLink = feedback.protectedLink;
     s.fresh = feedback.lengths.has_value();
-    s.stale = monitor.stale();
-    s.age = monitor.age();
-    s.measuredLengths = measured;
-    s.commandedLengths = commanded;
-    s.targetPose = commandedPose;
-    s.goalPose = goal;
-    s.measuredPose = measuredPose;
-    s.status = solution.status;
-    s.iterations = solution.iterations;
-    s.residual = solution.residual;
-    s.solveTime = solveTime;
-    s.mode = mode;
-    s.speed = speed;
-    if (measuredPose) {
-        s.smallestSingularValue = singularity.smallestSingularValue;
-        s.determinantRatio = singularity.determinant / homeDeterminant;
+    s.stale = link.monitor().stale();
+    s.age = link.monitor().age();
+    s.measuredLengths = estimate.lengths();
+    s.commandedLengths = motion.setPoint();
+    s.targetPose = targetPose;
+    s.goalPose = motion.goal();
+    s.measuredPose = estimate.pose();
+    s.status = estimate.solution().status;
+    s.iterations = estimate.solution().iterations;
+    s.residual = estimate.solution().residual;
+    s.solveTime = estimate.solveTime();
+    s.mode = motion.mode();
+    s.motionId = motion.id();
+    s.held = supervisor.machine().held;
+    s.speed = motion.speed();
+    if (estimate.pose()) {
+        s.smallestSingularValue = estimate.singularity().smallestSingularValue;
+        s.determinantRatio = estimate.determinantRatio();
     }
-    s.feedbackRate = monitor.rateHz();
+    s.feedbackRate = link.monitor().rateHz();
     s.period = feedback.period;
     s.minLength = feedback.minLength;
     s.maxLength = feedback.maxLength;
     s.counters = feedback.counters;
-    s.events = std::exchange(events, {});
-    sink(s);
+    s.events = supervisor.takeEvents();
+    return s;
 }
 
 ControlLoop::ControlLoop(PlatformDevice& device, const PlatformGeometry& geometry,
                          const ForwardSolver& solver, const ControlOptions& options, Sink sink,
-                         std::function<Clock::time_point()> now)
-    : m_impl(std::make_unique<Impl>(device, geometry, solver, options, std::move(sink), std::move(now))) {}
+                         std::function<Clock::time_point()> now, std::unique_ptr<Planner> planner)
+    : m_impl(std::make_unique<Impl>(device, geometry, solver, options, std::move(sink), std::move(now),
+                                    std::move(planner))) {}
 
 ControlLoop::~ControlLoop() = default;
 
+void ControlLoop::setObserver(CycleObserver* observer) {
+    m_impl->observer = observer;
+}
+
 void ControlLoop::post(const OperatorCommand& command) {
-    const std::lock_guard lock(m_impl->commandMutex);
-    m_impl->commands.push_back(command);
-    m_impl->stopWaits = m_impl->stopWaits || std::holds_alternative<StopCommand>(command);
+    {
+        const std::lock_guard lock(m_impl->commandMutex);
+        m_impl->commands.push_back(command);
+    }
+    if (std::holds_alternative<StopCommand>(command))
+        m_impl->link.interrupt();
 }
 
 void ControlLoop::cycle() {
     Impl& loop = *m_impl;
-    const Clock::time_point begin = loop.now();
-    loop.takeCommands(begin);
-    SetPoints out = loop.nextSetPoints(begin);
-    out.hurry = &loop.stopWaits;
-    loop.feedback = loop.device.exchange(out);
-    const Clock::time_point time = loop.now();
-    loop.takeFeedback(time);
-    loop.watchIdentity();
-    loop.watch(time);
-    loop.advanceMove(time);
-    loop.publish(time);
+    loop.begins(CyclePhase::Read);
+    loop.link.read(loop.now);
+    loop.begins(CyclePhase::Estimate);
+    if (loop.link.feedback().lengths)
+        loop.estimate.update(*loop.link.feedback().lengths);
+    loop.begins(CyclePhase::Supervise);
+    loop.supervisor.beginCycle(loop.now());
+    loop.supervisor.processFeedback();
+    loop.supervisor.watch();
+    loop.supervisor.processCommands(loop.takeCommands());
+    loop.supervisor.advance();
+    loop.begins(CyclePhase::Generate);
+    const SetPoints out = loop.supervisor.output();
+    loop.begins(CyclePhase::Write);
+    loop.link.write(out);
+    loop.begins(CyclePhase::Publish);
+    loop.updateTargetPose();
+    loop.publish();
+    loop.begins(CyclePhase::End);
+}
+
+void ControlLoop::Impl::exchange(DeviceRequest request) {
+    link.write({std::nullopt, request});
+    link.read(now);
+    link.takeStateReport();
+}
+
+bool ControlLoop::Impl::isConfirmedOff() const {
+    const ControllerState state = link.state();
+    return link.acceptsCommands() && state != ControllerState::Unknown && state != ControllerState::Enabled;
 }
 
 void ControlLoop::shutDown() {
     Impl& loop = *m_impl;
-    if (!loop.takesCommands())
+    const LinkState open = loop.link.feedback().link;
+    const bool reachable = open == LinkState::Connected || open == LinkState::Connecting;
+    const bool stopping = loop.supervisor.isStoppingDue();
+    const bool enabled = loop.supervisor.mayBeEnabled();
+    const bool wasDown = loop.supervisor.machine().latch != Latch::None;
+    loop.supervisor.endMotion();
+    loop.updateTargetPose();
+    if (!reachable || (!stopping && !enabled))
         return;
-    // A stop that the last cycle decided on has not gone out yet.
-    const bool stopFirst = loop.move.has_value() || loop.pendingRequest == DeviceRequest::Stop;
-    const bool disable = loop.feedback.state == ControllerState::Enabled;
-    loop.dropMotion();
-    if (stopFirst)
-        loop.feedback = loop.device.exchange({std::nullopt, DeviceRequest::Stop});
-    if (disable)
-        loop.feedback = loop.device.exchange({std::nullopt, DeviceRequest::Disable});
-    const auto on = [&loop] {
-        return loop.takesCommands() && loop.feedback.state == ControllerState::Enabled;
-    };
+    loop.exchange(DeviceRequest::Stop);
+    loop.exchange(DeviceRequest::Disable);
     const Clock::time_point begin = loop.now();
-    while (on() && loop.now() - begin < kShutDownWithin)
-        loop.feedback = loop.device.exchange({});
-    if (!on())
-        return;
-    loop.feedback.lengths.reset();
-    loop.raise({EventCode::DisableUnconfirmed, 0.0, {}});
-    loop.publish(loop.now());
+    const auto timeLeft = [&] { return loop.now() - begin < kShutDownWithin; };
+    while (!loop.isConfirmedOff() && timeLeft())
+        loop.exchange(DeviceRequest::None);
+    if (!loop.isConfirmedOff()) {
+        loop.supervisor.raise({EventCode::DisableUnconfirmed});
+        Snapshot last = loop.snapshot();
+        last.fresh = false;
+        return loop.sink(last);
+    }
+    // The stop was ours, of a platform that stood: nobody has to look for its cause.
+    if (!stopping && !wasDown && loop.link.state() == ControllerState::Stopped)
+        loop.exchange(DeviceRequest::Clear);
 }
 
 } // namespace hexapose

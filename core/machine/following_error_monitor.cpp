@@ -3,11 +3,7 @@
 
 #include "core/machine/following_error_monitor.h"
 
-#include "core/base/number_text.h"
-#include "core/base/units.h"
-
 #include <algorithm>
-#include <string>
 
 namespace hexapose {
 
@@ -26,29 +22,25 @@ void FollowingErrorMonitor::sent(Clock::time_point now) {
     ++m_unechoed;
 }
 
-std::optional<Event> FollowingErrorMonitor::judgePath(const LegLengths& reference, const LegLengths& measured,
+std::optional<Event> FollowingErrorMonitor::checkPath(const LegLengths& reference, const LegLengths& measured,
                                                       bool stalls) const {
     int leg = 0;
     const double gap = (reference - measured).cwiseAbs().maxCoeff(&leg);
     if (gap <= m_largestGap && !stalls)
         return std::nullopt;
-    return Event{EventCode::StoppedOnFollowingError, 0.0,
-                 "leg " + std::to_string(leg + 1) + " off the path by " + formatFixed(mmFromMetres(gap), 2) +
-                     " mm, " +
-                     (stalls ? "and the path does not go on"
-                             : "limit " + formatFixed(mmFromMetres(m_largestGap), 1) + " mm")};
+    const auto cause = stalls ? FollowingError::Cause::Stalled : FollowingError::Cause::Path;
+    return Event{EventCode::StoppedOnFollowingError, FollowingError{cause, leg + 1, gap, m_largestGap}};
 }
 
-std::optional<Event> FollowingErrorMonitor::judge(const DeviceFeedback& feedback, const LegLengths& commanded,
-                                                  Clock::time_point now) {
+std::optional<Event> FollowingErrorMonitor::checkLegs(const DeviceFeedback& feedback,
+                                                      const LegLengths& setPoint, Clock::time_point now) {
     if (!feedback.lengths)
         return std::nullopt;
     int leg = 0;
-    const double gap = (commanded - *feedback.lengths).cwiseAbs().maxCoeff(&leg);
+    const double gap = (setPoint - *feedback.lengths).cwiseAbs().maxCoeff(&leg);
     if (!(gap <= m_largestGap))
-        return Event{EventCode::StoppedOnFollowingError, 0.0,
-                     "leg " + std::to_string(leg + 1) + " off by " + formatFixed(mmFromMetres(gap), 2) +
-                         " mm, limit " + formatFixed(mmFromMetres(m_largestGap), 1) + " mm"};
+        return Event{EventCode::StoppedOnFollowingError,
+                     FollowingError{FollowingError::Cause::SetPoint, leg + 1, gap, m_largestGap}};
     if (!feedback.echoesSetPoints)
         return std::nullopt;
     if (feedback.acceptedSetPoint != m_echo) {
@@ -62,7 +54,7 @@ std::optional<Event> FollowingErrorMonitor::judge(const DeviceFeedback& feedback
     if (waited <= std::max<std::chrono::nanoseconds>(m_echoWithin, 3 * feedback.period))
         return std::nullopt;
     const auto ms = std::chrono::round<std::chrono::milliseconds>(waited);
-    return Event{EventCode::StoppedOnNoEcho, static_cast<double>(ms.count()), {}};
+    return Event{EventCode::StoppedOnNoEcho, static_cast<double>(ms.count())};
 }
 
 } // namespace hexapose

@@ -25,14 +25,14 @@ public:
     void reset() { m_unechoedSince.reset(); }
     /// A set-point goes out.
     void sent(Clock::time_point now);
-    /// In a motion that is led by the pose: the lengths that belong to where the platform should be. A leg
-    /// that is held fast is not seen by its set-point there, which keeps near to it while the others are led
-    /// astray.
-    std::optional<Event> judgePath(const LegLengths& reference, const LegLengths& measured,
+    /// In a motion that is closed on the pose: against the lengths that belong to where the path has the
+    /// platform, m. A blocked leg cannot be detected from its set-point there, which follows the leg.
+    std::optional<Event> checkPath(const LegLengths& reference, const LegLengths& measured,
                                    bool stalls) const;
-    /// After an exchange with a fresh measurement: StoppedOnFollowingError or StoppedOnNoEcho, or nothing.
-    std::optional<Event> judge(const DeviceFeedback& feedback, const LegLengths& commanded,
-                               Clock::time_point now);
+    /// After a read with a fresh measurement: StoppedOnFollowingError or StoppedOnNoEcho, or nothing.
+    /// setPoint: in force, m.
+    std::optional<Event> checkLegs(const DeviceFeedback& feedback, const LegLengths& setPoint,
+                                   Clock::time_point now);
 
 private:
     double m_largestGap;

@@ -73,7 +73,9 @@ std::optional<Event> Move::prepare(ControllerState controller, Clock::time_point
     }
     if (now - m_phaseBegan > (referencing ? m_timing.referenceTimeout : m_timing.enableTimeout)) {
         m_phase = Phase::Failed;
-        return Event{EventCode::PreparationFailed, 0.0, referencing ? "reference" : "enable"};
+        return Event{
+            EventCode::PreparationFailed,
+            PreparationFailure{referencing ? DeviceRequest::Reference : DeviceRequest::Enable, true, {}}};
     }
     return std::nullopt;
 }
@@ -89,8 +91,9 @@ std::optional<Event> Move::settle(std::optional<bool> inside, Clock::time_point 
             return Event{EventCode::Settled, seconds(now - m_started)};
         }
     }
-    if (!m_toldNotSettled && now - m_phaseBegan > m_timing.settleTimeout) {
-        m_toldNotSettled = true; // it goes on waiting: the platform may still arrive, and the screen says so
+    if (!m_notSettledReported && now - m_phaseBegan > m_timing.settleTimeout) {
+        m_notSettledReported =
+            true; // it goes on waiting: the platform may still arrive, and the screen says so
         return Event{EventCode::NotSettled, seconds(now - m_phaseBegan)};
     }
     return std::nullopt;

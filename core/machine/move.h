@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/device/platform_device.h"
+#include "core/record/controller_state.h"
+#include "core/record/device_refusal.h"
 #include "core/record/event.h"
 
 #include <chrono>
@@ -11,7 +12,7 @@
 namespace hexapose {
 
 /// One motion that was asked for, from the press to the settled platform: reference and enable when that is
-/// still due, the path, settling. What the path is, others know (MotionGenerator). Pure: time and feedback
+/// still due, the path, settling. The path itself is the generator's. Pure: time and feedback
 /// come in, requests and events go out.
 class Move {
 public:
@@ -53,7 +54,7 @@ private:
     Clock::time_point m_phaseBegan;
     Clock::time_point m_started{};
     std::optional<Clock::time_point> m_insideSince;
-    bool m_toldNotSettled = false;
+    bool m_notSettledReported = false;
 };
 
 } // namespace hexapose

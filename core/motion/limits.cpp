@@ -38,46 +38,6 @@ MotionLimits motionLimits(const PlatformGeometry& geometry, std::optional<double
     return limits;
 }
 
-namespace {
-
-std::string reasonWords(const MotionCheck& check) {
-    static constexpr const char* kAxes[] = {"", "x", "y", "z", "alpha", "beta", "gamma"};
-    const std::string leg = "leg " + std::to_string(check.leg);
-    switch (check.reason) {
-    case MotionCheck::Reason::Ok:
-        return "ok";
-    case MotionCheck::Reason::NotFinite:
-        return "invalid-input";
-    case MotionCheck::Reason::LegAboveMax:
-        return leg + " above max_mm";
-    case MotionCheck::Reason::LegBelowMin:
-        return leg + " below min_mm";
-    case MotionCheck::Reason::NearSingular:
-        return "near singular";
-    case MotionCheck::Reason::OtherAssemblyMode:
-        return "other branch";
-    case MotionCheck::Reason::PathNearSingular:
-        return "path near singular";
-    case MotionCheck::Reason::OutsideEnvelope:
-        return std::string(kAxes[check.axis]) + " outside the envelope";
-    case MotionCheck::Reason::WrongSideOfSingularity:
-        return "across the singular poses";
-    case MotionCheck::Reason::LegSpeed:
-        return leg + " too fast";
-    case MotionCheck::Reason::LegAcceleration:
-        return leg + " accelerated too hard";
-    }
-    return "";
-}
-
-} // namespace
-
-std::string toWords(const MotionCheck& check) {
-    const bool alongPath = check.fraction < 1.0 || check.reason == MotionCheck::Reason::PathNearSingular;
-    return reasonWords(check) +
-           (alongPath ? " at " + std::to_string(std::lround(100.0 * check.fraction)) + " %" : "");
-}
-
 MotionCheck checkLegs(const MotionLimits& limits, const LegLengths& lengths) {
     if (!lengths.allFinite())
         return failedCheck(MotionCheck::Reason::NotFinite, 0.0, 0.0);

@@ -32,16 +32,16 @@ Valued envelope(double part) {
 
 } // namespace
 
-std::optional<std::string> faultOf(const SweepSettings& settings) {
+std::optional<SweepFault> faultOf(const SweepSettings& settings) {
     if (settings.axis < 0 || settings.axis > 5)
-        return "sweep: no such axis";
+        return SweepFault::NoSuchAxis;
     if (!(settings.amplitude > 0.0) || !std::isfinite(settings.amplitude))
-        return "sweep: the amplitude is not above zero";
+        return SweepFault::Amplitude;
     if (!(settings.startFrequency >= 0.0) || !(settings.endFrequency >= 0.0) ||
         !std::isfinite(settings.startFrequency + settings.endFrequency))
-        return "sweep: a frequency is below zero";
+        return SweepFault::Frequency;
     if (!(settings.seconds > 0.0) || !std::isfinite(settings.seconds))
-        return "sweep: the duration is not above zero";
+        return SweepFault::Duration;
     return std::nullopt;
 }
 

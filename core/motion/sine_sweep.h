@@ -5,7 +5,6 @@
 #include "core/motion/pose_motion.h"
 
 #include <optional>
-#include <string>
 
 namespace hexapose {
 
@@ -19,8 +18,10 @@ struct SweepSettings {
     double seconds = 10.0;       ///< of the whole motion, above zero
 };
 
-/// What is wrong with settings, in words; nothing when they can be used.
-std::optional<std::string> faultOf(const SweepSettings& settings);
+enum class SweepFault { NoSuchAxis, Amplitude, Frequency, Duration };
+
+/// Which of the settings cannot be used; nothing when all can.
+std::optional<SweepFault> faultOf(const SweepSettings& settings);
 
 class SineSweep final : public PoseMotion {
 public:

@@ -2,74 +2,142 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/kinematics/forward_solver.h"
+#include "core/motion/motion_check.h"
+#include "core/motion/sine_sweep.h"
+#include "core/record/command_set.h"
+#include "core/record/controller_state.h"
+#include "core/record/device_refusal.h"
+#include "core/record/port_failure.h"
+#include "core/record/run_state.h"
+
 #include <optional>
 #include <string>
-#include <string_view>
-#include <vector>
+#include <variant>
 
 namespace hexapose {
 
-/// What the event list and the log's event column report. Words are stable; the screen translates them.
+/// What the event list and the log's event column report; in brackets the payload.
 enum class EventCode {
-    Connected,   ///< detail: controller name
+    Connected,   ///< [DeviceText: the controller's name]
     ListenOnly,  ///< an unprotected sender of lengths
-    LinkLost,    ///< detail: the system's reason
-    DataStale,   ///< no valid measurement for value milliseconds
+    LinkLost,    ///< [PortFailure]
+    DataStale,   ///< [double: ms without a valid measurement]
     DataFresh,   ///< measurements are back
     Referencing, ///< reference asked for
     Referenced,
     Enabled,
     Disabled,
-    MoveStarted, ///< value: planned duration, s
-    MoveRefused, ///< detail: the check's word form, e.g. "leg 3 above max_mm"
-    Settled,     ///< value: s since the move started
-    NotSettled,  ///< value: s waited
-    StopRequested,
-    StoppedByController, ///< detail: controller state letter
+    MoveStarted,         ///< [double: planned duration, s]
+    MoveRefused,         ///< [MotionCheck, MotionInhibit or SweepFault]
+    Settled,             ///< [double: s since the move started]
+    NotSettled,          ///< [double: s waited]
+    StopRequested,       ///< [Command::Disable when that was what asked for it]
+    StoppedByController, ///< [ControllerState]
     StoppedOnStaleData,
-    StoppedOnSolver,  ///< detail: solver status word
-    StoppedOnRefusal, ///< detail: what the controller refused
+    StoppedOnSolver,  ///< [SolveStatus]
+    StoppedOnRefusal, ///< [DeviceRefusal]
     Cleared,
-    ControllerRefused, ///< detail
-    ControllerFault,   ///< detail: code and text
-    NoAnswer,          ///< detail: the request that got no answer
+    ControllerRefused, ///< [DeviceRefusal]
+    ControllerFault,   ///< [DeviceText: code and text]
+    NoAnswer,          ///< [DeviceRequest]
     ClockWentBack,
-    CommandRefused,          ///< detail: command and state, e.g. "run in stopped"
-    ReportSample,            ///< value: sample number
-    LogFailed,               ///< detail: the system's reason
-    LoopFailed,              ///< detail: the error that ended the control loop
-    PreparationFailed,       ///< a reference or enable before a move did not come about; detail: which
-    StoppedOnFollowingError, ///< a leg is too far from its set-point; detail: leg, gap and limit
-    StoppedOnNoEcho,         ///< set-points go unaccepted; value: milliseconds since the first of them
-    StoppedOnLimits,         ///< a set-point would leave a stroke; detail: the check's word form
-    StoppedOnNewIdentity,    ///< the controller gave another name or other limits; detail: name and limits
+    CommandRefused,          ///< [CommandRefusal]
+    ReportSample,            ///< [double: sample number]
+    LogFailed,               ///< [LogFailure]
+    LoopFailed,              ///< [DeviceText: the error that ended the control loop]
+    PreparationFailed,       ///< a reference or enable before a move did not come about [PreparationFailure]
+    StoppedOnFollowingError, ///< [FollowingError]
+    StoppedOnNoEcho,         ///< set-points go unaccepted [double: ms since the first of them]
+    StoppedOnLimits,         ///< a set-point would leave a stroke [MotionCheck]
+    StoppedOnNewIdentity,    ///< the controller gave another name or other limits [ControllerIdentity]
     StoppedAfterLoss,        ///< the link is back after a loss in mid-move: a stop was sent
-    DisableUnconfirmed,      ///< the closing ended without a word that the drives are off
+    DisableUnconfirmed,      ///< the session ended without a confirmation that the drives are off
     JogStarted,
-    JogLimited,    ///< a jog came to rest before a limit; detail: the check's word form
-    SolverChanged, ///< from this cycle on; detail: its word, then the fingerprint of its model
+    JogLimited,    ///< a jog came to rest before a limit [MotionCheck]
+    SolverChanged, ///< from this cycle on [SolverChoice]
 };
 
+/// Text that is not ours: a controller's name or words, an error of the system. Shown as it is.
+struct DeviceText {
+    std::string text;
+    bool operator==(const DeviceText&) const = default;
+};
+
+/// Why nothing can move now, whatever is asked for.
+struct MotionInhibit {
+    std::optional<SolveStatus> solver; ///< the lengths gave no usable pose; empty: the data is stale
+    bool operator==(const MotionInhibit&) const = default;
+};
+
+/// A command that the machine's state does not allow.
+struct CommandRefusal {
+    Command command;
+    RunState state;
+    bool operator==(const CommandRefusal&) const = default;
+};
+
+/// A leg that is not where it should be.
+struct FollowingError {
+    enum class Cause {
+        SetPoint, ///< too far from its set-point
+        Path,     ///< too far from where the path has it
+        Stalled,  ///< away from the path, which hardly goes on
+    };
+    Cause cause = Cause::SetPoint;
+    int leg = 0;        ///< 1..6
+    double gap = 0.0;   ///< m
+    double limit = 0.0; ///< m; unused for Stalled
+};
+
+/// A reference or enable before a move that did not come about.
+struct PreparationFailure {
+    DeviceRequest request = DeviceRequest::None;
+    bool answered = true;                 ///< false: the request was not answered
+    std::optional<DeviceRefusal> refusal; ///< empty while answered: the state did not come in time
+    bool operator==(const PreparationFailure&) const = default;
+};
+
+/// What a controller says of itself.
+struct ControllerIdentity {
+    std::string name;
+    std::optional<double> minLength, maxLength; ///< m
+    bool operator==(const ControllerIdentity&) const = default;
+};
+
+/// The solver of the loop.
+struct SolverChoice {
+    std::string name;             ///< as on the command line
+    std::string modelFingerprint; ///< empty without a model
+    bool operator==(const SolverChoice&) const = default;
+};
+
+/// What is missing in the log, or why it cannot be written.
+struct LogFailure {
+    std::uint64_t rowsLost = 0;
+    std::string system = {}; ///< the system's words; empty where rows were lost
+    bool operator==(const LogFailure&) const = default;
+};
+
+using EventData =
+    std::variant<std::monostate, double, DeviceText, PortFailure, MotionCheck, MotionInhibit, SweepFault,
+                 Command, ControllerState, SolveStatus, DeviceRefusal, DeviceRequest, CommandRefusal,
+                 FollowingError, PreparationFailure, ControllerIdentity, SolverChoice, LogFailure>;
+
+/// Something that happened, as values: the log has its words in event_codec.h, the screen has its own.
 struct Event {
     EventCode code;
-    double value = 0.0;
-    std::string detail = {};
-};
+    EventData data = {};
 
-/// "move-started", ...: stable identifier of an event.
-std::string_view toWord(EventCode code);
-std::optional<EventCode> eventCodeFromWord(std::string_view word);
-/// "word", then the value for the codes that carry one, then the detail on the same line: "settled 1.25",
-/// "move-refused leg 3 above max_mm".
-std::string formatEvent(const Event& event);
+    /// The payload of that type, or null.
+    template <typename T>
+    const T* get() const {
+        return std::get_if<T>(&data);
+    }
+    double value() const { return get<double>() ? *get<double>() : 0.0; }
+};
 
 /// Whether something ended a motion, or the work, that nobody had asked for.
 bool isFault(EventCode code);
-
-/// One field of the log: the events of a cycle, separated by "; ".
-std::string formatEvents(const std::vector<Event>& events);
-/// The events of such a field. Text that begins with no known word belongs to the detail of the event before
-/// it, and is passed over at the beginning.
-std::vector<Event> parseEvents(std::string_view field);
 
 } // namespace hexapose

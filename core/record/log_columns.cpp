@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "core/record/log_columns.h"
+#include "core/record/event_codec.h"
 
 #include "core/base/csv_table.h"
 #include "core/base/number_text.h"

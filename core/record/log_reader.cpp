@@ -8,6 +8,7 @@
 #include "core/base/number_text.h"
 #include "core/base/units.h"
 #include "core/base/utc_text.h"
+#include "core/record/event_codec.h"
 #include "core/record/log_metadata.h"
 
 #include <array>

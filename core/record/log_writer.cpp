@@ -180,7 +180,7 @@ void LogWriter::Impl::format() {
         untold = std::exchange(lostUntold, 0);
     }
     if (untold > 0 && !batch.empty())
-        batch.back().events.push_back({EventCode::LogFailed, 0.0, lostText(untold)});
+        batch.back().events.push_back({EventCode::LogFailed, LogFailure{untold, {}}});
     for (const Snapshot& snapshot : batch)
         appendLogRow(snapshot, text);
     batch.clear();

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/device/platform_device.h"
 #include "core/geometry/leg_lengths.h"
 #include "core/geometry/pose.h"
 #include "core/kinematics/forward_solver.h"
+#include "core/motion/motion_mode.h"
+#include "core/record/command_set.h"
+#include "core/record/controller_state.h"
 #include "core/record/event.h"
-#include "core/record/motion_mode.h"
+#include "core/record/link_state.h"
+#include "core/record/motion_id.h"
 #include "core/record/run_state.h"
 
 #include <chrono>
@@ -26,6 +29,7 @@ struct Snapshot {
     LinkState link = LinkState::Connecting;
     ControllerState controllerState = ControllerState::Unknown;
     bool protectedLink = false;
+    CommandSet allowed; ///< the commands that the machine would accept now
 
     bool fresh = false;                         ///< a new measurement arrived in this cycle
     bool stale = true;                          ///< the last one is too old to be used
@@ -42,7 +46,9 @@ struct Snapshot {
     std::chrono::nanoseconds solveTime{0};
 
     MotionMode mode = MotionMode::Joint; ///< of the present or last motion
-    double speed = 1.0;                  ///< 0..1: the operator's part of full speed
+    MotionId motionId = kNoMotion;       ///< of the present or last motion, as its command gave it
+    bool held = false;                   ///< the motion is held on its path
+    double speed = 1.0;                  ///< 0..1: the operator's speed override
     std::optional<double>
         smallestSingularValue;              ///< of the scaled Jacobian at the measured pose; 0 is singular
     std::optional<double> determinantRatio; ///< q: its determinant over that at home; 0 is singular

@@ -30,12 +30,12 @@ JogMotion::JogMotion(WorkspaceController& controller, const PlatformGeometry& ge
     m_controller.begin(from);
 }
 
-void JogMotion::hold(const JogDirection& direction, double part) {
+void JogMotion::hold(const JogDirection& direction, double speedOverride) {
     if (!m_held || direction != m_wanted)
         m_blocked = false;
     m_held = true;
     m_wanted = direction;
-    m_part = std::clamp(part, 0.0, 1.0);
+    m_override = std::clamp(speedOverride, 0.0, 1.0);
 }
 
 JogMotion::Limits JogMotion::limits() const {
@@ -52,7 +52,7 @@ double JogMotion::wantedPace(const Cycle& cycle) {
     const Twist unit = unitTwist(m_direction, m_reference);
     const double legRate = (geometricJacobian(m_geometry, m_reference) * unit).cwiseAbs().maxCoeff();
     const double full = std::min(most.pace, m_bounds.legSpeed / std::max(legRate, 1e-9));
-    const double pace = full * m_part * cycle.speed;
+    const double pace = full * m_override * cycle.speed;
     const double faster =
         std::max(m_pace, 0.0) + std::max(m_acceleration, 0.0) * most.acceleration / most.jerk;
     const double way = kReserve * (0.5 * faster * faster / most.acceleration +
@@ -66,7 +66,7 @@ double JogMotion::wantedPace(const Cycle& cycle) {
         if (check.ok())
             continue;
         m_blocked = true;
-        m_event = Event{EventCode::JogLimited, 0.0, toWords(check)};
+        m_event = Event{EventCode::JogLimited, check};
         return 0.0;
     }
     return pace;

@@ -16,8 +16,9 @@ public:
     JogMotion(WorkspaceController& controller, const PlatformGeometry& geometry, const MotionBounds& bounds,
               const LegLengths& from, const Pose& at);
 
-    /// Held, or held on. part: 0..1 of full speed. Another direction than before: comes to rest first.
-    void hold(const JogDirection& direction, double part);
+    /// Held, or held on. speedOverride: 0..1 of full speed. Another direction than before: comes to rest
+    /// first.
+    void hold(const JogDirection& direction, double speedOverride);
     void release() { m_held = false; }
 
     MotionMode mode() const override { return MotionMode::Workspace; }
@@ -43,7 +44,7 @@ private:
     Pose m_reference;
     JogDirection m_direction;
     JogDirection m_wanted;
-    double m_part = 0.0;
+    double m_override = 0.0;
     bool m_held = false;
     bool m_blocked = false;      ///< a limit ended it; until it is pressed anew
     double m_pace = 0.0;         ///< m/s or rad/s along the direction

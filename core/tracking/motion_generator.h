@@ -4,26 +4,21 @@
 
 #include "core/geometry/leg_lengths.h"
 #include "core/motion/limits.h"
+#include "core/motion/motion_mode.h"
 #include "core/motion/pose_motion.h"
 #include "core/record/event.h"
-#include "core/record/motion_mode.h"
+#include "core/tracking/settle_window.h"
 
 #include <optional>
 
 namespace hexapose {
-
-/// How close to the end counts as there.
-struct SettleWindow {
-    double distance = 0.0; ///< m: of each leg in joint mode, of P in workspace mode
-    double angle = 0.0;    ///< rad, in workspace mode
-};
 
 /// Makes set-points out of one motion, once a cycle. Pure.
 class MotionGenerator {
 public:
     struct Cycle {
         double seconds = 0.0;              ///< since the last one; a late cycle must not make a leap
-        double speed = 1.0;                ///< 0..1: the operator's part of full speed
+        double speed = 1.0;                ///< 0..1: the operator's speed override
         std::optional<LegLengths> lengths; ///< fresh measurement, m
         std::optional<Pose> pose;          ///< and its pose
         MotionLimits limits;

@@ -14,7 +14,7 @@ constexpr double kStallsAfter = 1.0; ///< s
 
 } // namespace
 
-WorkspaceMotion::WorkspaceMotion(WorkspaceController& controller, std::unique_ptr<const PoseMotion> motion,
+WorkspaceMotion::WorkspaceMotion(WorkspaceController& controller, std::shared_ptr<const PoseMotion> motion,
                                  WorkspaceController::Following following, const LegLengths& from)
     : m_controller(controller), m_motion(std::move(motion)), m_following(following), m_setPoint(from) {
     m_controller.begin(from);

@@ -14,7 +14,7 @@ namespace hexapose {
 class WorkspaceMotion final : public MotionGenerator {
 public:
     /// controller: outlives the law, and keeps what it learned for the next one. from: set-point in force.
-    WorkspaceMotion(WorkspaceController& controller, std::unique_ptr<const PoseMotion> motion,
+    WorkspaceMotion(WorkspaceController& controller, std::shared_ptr<const PoseMotion> motion,
                     WorkspaceController::Following following, const LegLengths& from);
 
     MotionMode mode() const override { return MotionMode::Workspace; }
@@ -27,7 +27,7 @@ public:
 
 private:
     WorkspaceController& m_controller;
-    std::unique_ptr<const PoseMotion> m_motion;
+    std::shared_ptr<const PoseMotion> m_motion;
     WorkspaceController::Following m_following;
     LegLengths m_setPoint;
     SpeedRamp m_ramp;

@@ -78,7 +78,7 @@ TEST(SourceRules, ReversedArrowIsToldWithItsLine) {
         including("core/geometry/pose.h", "\"core/kinematics/jacobian.h\""),
         ElementsAre("core/geometry/pose.h:2: core/geometry must not include core/kinematics/jacobian.h"));
     // Written otherwise it is the same arrow.
-    EXPECT_THAT(includeViolations("core/record/a.cpp", "  #  include <core/motion/limits.h> // why\n"),
+    EXPECT_THAT(includeViolations("core/record/a.cpp", "  #  include <core/machine/move.h> // why\n"),
                 ElementsAre(HasSubstr("core/record must not include")));
 }
 

@@ -28,29 +28,29 @@ void ScriptedDevice::obey(DeviceRequest request) {
             state = ControllerState::Enabled;
         break;
     case DeviceRequest::Disable:
-        if (!ignoresDisable)
+        if (!ignoresDisable && state == ControllerState::Enabled)
             state = ControllerState::Disabled;
         break;
     case DeviceRequest::Stop:
-        if (ignoresStop)
+        if (ignoresStop || state == ControllerState::Fault) // a fault is not left by a stop
             break;
         if (!stopsOnlyWhenEnabled || state == ControllerState::Enabled)
             state = ControllerState::Stopped;
         break;
     case DeviceRequest::Clear:
+        if (ignoresClear)
+            break;
+        notices.push_back(notice::Acknowledged{DeviceRequest::Clear});
         if (down)
             state = ControllerState::Disabled;
         break;
-    case DeviceRequest::None:
+    default:
         break;
     }
 }
 
-DeviceFeedback ScriptedDevice::exchange(const SetPoints& setPoints) {
+void ScriptedDevice::write(const SetPoints& setPoints) {
     received.push_back(setPoints);
-    if (during)
-        during();
-    m_now += kPeriod + std::exchange(late, std::chrono::milliseconds(0));
     obey(setPoints.request);
     if (setPoints.lengths)
         ++m_setNumber;
@@ -63,7 +63,14 @@ DeviceFeedback ScriptedDevice::exchange(const SetPoints& setPoints) {
         if (stuckLeg)
             lengths[*stuckLeg] = before[*stuckLeg];
     }
-    DeviceFeedback feedback;
+}
+
+const DeviceFeedback& ScriptedDevice::read() {
+    if (during)
+        during();
+    m_now += kPeriod + std::exchange(late, std::chrono::milliseconds(0));
+    DeviceFeedback& feedback = m_feedback;
+    feedback.lengths.reset();
     feedback.link = link;
     feedback.protectedLink = link == LinkState::Connected;
     feedback.state = link == LinkState::Connected ? state : ControllerState::Unknown;

@@ -83,9 +83,7 @@ std::optional<Event> Session::Impl::takeSolver(ReplaceableSolver& solver, RunSta
         return std::nullopt;
     solver.replace(next->solver);
     inUse = next->solver;
-    Event event{EventCode::SolverChanged, 0.0, std::string(inUse->name())};
-    if (!next->modelFingerprint.empty())
-        event.detail += " " + next->modelFingerprint;
+    Event event{EventCode::SolverChanged, SolverChoice{std::string(inUse->name()), next->modelFingerprint}};
     next.reset();
     return event;
 }
@@ -99,7 +97,7 @@ void Session::Impl::tellFailure(const std::string& reason, const Snapshot& last)
     snapshot.state = RunState::Fault;
     snapshot.link = LinkState::Lost;
     snapshot.counters = last.counters;
-    snapshot.events.push_back({EventCode::LoopFailed, 0.0, reason});
+    snapshot.events.push_back({EventCode::LoopFailed, DeviceText{reason}});
     deliver(snapshot);
 }
 

@@ -8,6 +8,8 @@
 #include "core/device/simulation/simulated_machine.h"
 #include "core/kinematics/newton/newton_raphson.h"
 #include "core/motion/straight_motion.h"
+#include "core/record/event_codec.h"
+#include "core/motion/move_check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,7 +72,7 @@ private:
             for (const Event& event : m_last.events)
                 if (event.code == EventCode::MoveStarted) {
                     begun = now;
-                    begin(target, event.value);
+                    begin(target, event.value());
                 } else if (event.code == EventCode::Settled && begun) {
                     return finish(now - *begun);
                 } else if (event.code != EventCode::Enabled && event.code != EventCode::Referencing &&

@@ -8,17 +8,18 @@
 
 namespace hexapose::line {
 
-/// Judges measurements by the controller's frame counter and clock: which are new, and how many never came.
+/// Classifies measurements by the controller's frame counter and clock: which are new, and how many never
+/// came.
 class FrameSequence {
 public:
     enum class Result {
-        Next,    ///< newer than everything before
-        Drop,    ///< repeated, or older
+        Accept,  ///< newer than everything before
+        Discard, ///< repeated, or older
         Restart, ///< older, but so steadily that the controller must have started again; nothing before it
                  ///< counts
     };
 
-    Result judge(std::uint16_t number, std::chrono::microseconds time);
+    Result classify(std::uint16_t number, std::chrono::microseconds time);
     /// Frames the controller counted that never came.
     std::uint64_t missed() const { return m_missed; }
 
@@ -28,7 +29,7 @@ private:
         std::chrono::microseconds time;
     };
 
-    Result judgeOlder(const Mark& mark);
+    Result classifyOlder(const Mark& mark);
 
     std::optional<Mark> m_last;
     std::optional<Mark> m_older; ///< newest of a run of frames from before m_last

@@ -128,7 +128,7 @@ void FrameReader::finishFrame(std::vector<LineMessage>& out) {
         if (m_side == Side::Controller)
             out.push_back(std::move(message));
         else if (malformed->type == "IDENT") // of no use, but somebody answered
-            out.push_back(UnsupportedIdent{"a field is not of its form, or out of range"});
+            out.push_back(UnsupportedIdent{RefusalReason::IdentityFields});
         return;
     }
     if (std::holds_alternative<UnsupportedIdent>(message)) {

@@ -4,9 +4,10 @@
 #include "core/device/line/line_device.h"
 
 #include "core/device/line/line_device_impl.h"
+#include "core/record/device_words.h"
 
 #include <algorithm>
-#include <thread>
+#include <utility>
 
 namespace hexapose {
 
@@ -14,12 +15,11 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr milliseconds kPauseOnceLost{10};
-constexpr milliseconds kHurryWithin{2};   ///< a wait is cut in pieces of this, to see that it is to end
-constexpr double kLongestLength = 1000.0; ///< m; keeps a SET within a frame
-constexpr std::size_t kMaxUnsent = 160;   ///< bytes; two set-points waiting is one too many
+constexpr milliseconds kInterruptWithin{2}; ///< a wait is cut in pieces of this, to see that it is to end
+constexpr double kLongestLength = 1000.0;   ///< m; keeps a SET within a frame
+constexpr std::size_t kMaxUnsent = 160;     ///< bytes; two set-points waiting is one too many
 
-bool canTravel(const LegLengths& lengths) {
+bool isEncodable(const LegLengths& lengths) {
     return lengths.allFinite() && (lengths.array() > 0.0).all() && (lengths.array() < kLongestLength).all();
 }
 
@@ -78,10 +78,13 @@ void LineDevice::Impl::sendRequest(DeviceRequest request, Time time) {
     if (!message || request == DeviceRequest::Stop)
         return;
     const std::string type = line::payloadOf(*message);
-    if (feedback.link != LinkState::Connected)
-        return note(Kind::Refused, type, "STATE no controller is connected");
+    // Drives that may be on are switched off also where the controller has not said yet who it is.
+    const bool possible = feedback.link == LinkState::Connected ||
+                          (request == DeviceRequest::Disable && feedback.link == LinkState::Connecting);
+    if (!possible)
+        return note(notice::Refused{{request, RefusalReason::NotConnected}});
     if (stop.active() && request != DeviceRequest::Disable)
-        return note(Kind::Refused, type, "STATE the stop is not confirmed yet");
+        return note(notice::Refused{{request, RefusalReason::StopUnconfirmed}});
     write(*message);
     pending.sent(type, time);
     disable.confirm();
@@ -94,26 +97,22 @@ void LineDevice::Impl::sendRequest(DeviceRequest request, Time time) {
 void LineDevice::Impl::sendLengths(const LegLengths& lengths, Time time) {
     if (feedback.link != LinkState::Connected || stop.active() || isSilent(time))
         return;
-    if (!canTravel(lengths))
-        return note(Kind::Refused, "SET", "RANGE a length is not a positive number");
+    if (!isEncodable(lengths))
+        return note(notice::Refused{{DeviceRequest::SetPoint, RefusalReason::LengthNotPositive}});
     if (channel->unsent() > kMaxUnsent)
         return; // a slow line: the next one is newer
     write(line::Set{nextSetNumber++, lengths});
 }
 
-void LineDevice::Impl::receive(const std::atomic<bool>* hurry) {
+void LineDevice::Impl::receive() {
     const Time deadline = options.now() + options.longestWait;
     for (Time time = options.now();;) {
-        milliseconds left = std::chrono::ceil<milliseconds>(deadline - time);
-        const bool hurries = hurry != nullptr && *hurry;
-        if (hurries)
-            left = milliseconds(0);
-        else if (hurry != nullptr)
-            left = std::min(left, kHurryWithin);
+        const milliseconds left = std::max(std::chrono::ceil<milliseconds>(deadline - time), milliseconds(0));
+        const bool ends = interruption.take();
         const bool measured =
             feedback.lengths.has_value(); // then only what is here already: the newest counts
         const std::size_t size =
-            channel->read(buffer, measured ? milliseconds(0) : std::max(left, milliseconds(0)));
+            channel->read(buffer, measured || ends ? milliseconds(0) : std::min(left, kInterruptWithin));
         time = options.now();
         if (size == 0) {
             if (time - lastByte >= options.pauseOfSender)
@@ -123,24 +122,24 @@ void LineDevice::Impl::receive(const std::atomic<bool>* hurry) {
             messages.clear();
             reader.feed({buffer.data(), size}, messages);
             for (const line::LineMessage& message : messages)
-                take(message, time);
+                process(message, time);
         }
-        if (time >= deadline || ((measured || hurries) && size == 0))
+        if (time >= deadline || ends || (measured && size == 0))
             return;
     }
 }
 
-void LineDevice::Impl::missAnswers() {
+void LineDevice::Impl::reportTimeouts() {
     for (const std::string& type : pending.takeOverdue(options.now(), options.answerWithin))
         if (type != "PERIOD" || periodTries == 0)
-            note(Kind::NoAnswer, type, {});
+            note(notice::NoAnswer{deviceRequestFromWord(type)});
 }
 
-void LineDevice::Impl::lose(const std::string& reason) {
+void LineDevice::Impl::onLinkLost(const PortFailure& failure) {
     channel.reset();
     feedback.link = LinkState::Lost;
     feedback.lengths.reset();
-    note(Kind::LinkLost, {}, reason);
+    note(notice::LinkLost{failure});
 }
 
 void LineDevice::Impl::count() {
@@ -155,23 +154,38 @@ LineDevice::LineDevice(std::unique_ptr<ByteChannel> channel, LineDeviceOptions o
 
 LineDevice::~LineDevice() = default;
 
-DeviceFeedback LineDevice::exchange(const SetPoints& setPoints) {
+const DeviceFeedback& LineDevice::read() {
     Impl& device = *m_impl;
     device.feedback.lengths.reset();
-    device.feedback.notices.clear();
-    if (!device.channel) {
-        std::this_thread::sleep_for(kPauseOnceLost); // nothing can happen here any more
-        return device.feedback;
+    if (device.channel) {
+        try {
+            device.receive();
+            device.reportTimeouts();
+        } catch (const ChannelError& error) {
+            device.onLinkLost(error.failure());
+        }
+        device.count();
+    } else {
+        device.interruption.wait(device.options.longestWait); // nothing can happen here any more
     }
+    device.feedback.notices.clear();
+    std::swap(device.feedback.notices, device.noted);
+    return device.feedback;
+}
+
+void LineDevice::write(const SetPoints& setPoints) {
+    Impl& device = *m_impl;
+    if (!device.channel)
+        return;
     try {
         device.send(setPoints);
-        device.receive(setPoints.hurry);
-        device.missAnswers();
     } catch (const ChannelError& error) {
-        device.lose(error.what());
+        device.onLinkLost(error.failure());
     }
-    device.count();
-    return device.feedback;
+}
+
+void LineDevice::interrupt() {
+    m_impl->interruption.request();
 }
 
 } // namespace hexapose

@@ -30,7 +30,9 @@ class LineDevice final : public PlatformDevice {
 public:
     explicit LineDevice(std::unique_ptr<ByteChannel> channel, LineDeviceOptions options = {});
     ~LineDevice() override;
-    DeviceFeedback exchange(const SetPoints& setPoints) override;
+    const DeviceFeedback& read() override;
+    void write(const SetPoints& setPoints) override;
+    void interrupt() override;
 
 private:
     struct Impl;

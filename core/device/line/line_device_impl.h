@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/device/interruption.h"
 #include "core/device/line/frame_sequence.h"
 #include "core/device/line/line_codec.h"
 #include "core/device/line/line_device.h"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -19,7 +19,6 @@ namespace hexapose {
 
 struct LineDevice::Impl {
     using Time = std::chrono::steady_clock::time_point;
-    using Kind = DeviceNotice::Kind;
 
     Impl(std::unique_ptr<ByteChannel> theChannel, LineDeviceOptions theOptions);
 
@@ -30,22 +29,23 @@ struct LineDevice::Impl {
     void sendRequest(DeviceRequest request, Time time);
     void sendLengths(const LegLengths& lengths, Time time);
     void write(const line::LineMessage& message);
-    void receive(const std::atomic<bool>* hurry);
-    void missAnswers();
-    void lose(const std::string& reason);
+    void receive();
+    void reportTimeouts();
+    void onLinkLost(const PortFailure& failure);
     void count();
 
     // line_device_messages.cpp: what comes in.
-    void take(const line::LineMessage& message, Time time);
-    void take(const line::Ident& ident);
-    void take(const line::UnsupportedIdent& ident);
-    void take(const line::Len& len, Time time);
-    void take(const line::PlainLengths& plain, Time time);
-    void take(const line::Ok& ok);
-    void take(const line::Err& err);
-    void beginAgain();
-    void complainOnce(const std::string& request, const std::string& text);
-    void note(Kind kind, std::string request, std::string text);
+    void process(const line::LineMessage& message, Time time);
+    void process(const line::Ident& ident);
+    void process(const line::UnsupportedIdent& ident);
+    void process(const line::Len& len, Time time);
+    void process(const line::PlainLengths& plain, Time time);
+    void process(const line::Ok& ok);
+    void process(const line::Err& err);
+    void process(const line::Fault& fault);
+    void onControllerRestart();
+    void reportOnce(DeviceRefusal refusal);
+    void note(DeviceNotice notice) { noted.push_back(std::move(notice)); }
 
     bool isSilent(Time time) const {
         return time - lastHeard > std::max(options.silentAfter, 3 * feedback.period);
@@ -68,7 +68,9 @@ struct LineDevice::Impl {
     int periodTries = 0; ///< left
     std::uint16_t nextSetNumber = 0;
     std::uint64_t droppedOrder = 0;
-    std::string lastComplaint; ///< about the handshake, which is repeated: said once
+    std::optional<DeviceRefusal> lastReported; ///< of the handshake, which is repeated: reported once
+    std::vector<DeviceNotice> noted;           ///< for the next read
+    Interruption interruption;
     std::vector<line::LineMessage> messages;
     std::array<char, 4096> buffer{};
 };

@@ -3,7 +3,11 @@
 
 #include "core/device/line/line_device_impl.h"
 
+#include "core/record/device_words.h"
+
 #include <type_traits>
+#include <utility>
+#include <variant>
 
 namespace hexapose {
 
@@ -13,80 +17,76 @@ constexpr int kPeriodTries = 3;
 
 } // namespace
 
-void LineDevice::Impl::note(Kind kind, std::string request, std::string text) {
-    feedback.notices.push_back({kind, std::move(request), std::move(text)});
-}
-
-void LineDevice::Impl::complainOnce(const std::string& request, const std::string& text) {
-    if (request + text == lastComplaint)
+/// What is said again with every HELLO is reported once.
+void LineDevice::Impl::reportOnce(DeviceRefusal refusal) {
+    if (lastReported == refusal)
         return;
-    lastComplaint = request + text;
-    note(Kind::Refused, request, text);
+    lastReported = refusal;
+    note(notice::Refused{std::move(refusal)});
 }
 
-void LineDevice::Impl::take(const line::LineMessage& message, Time time) {
+void LineDevice::Impl::process(const line::LineMessage& message, Time time) {
     lastHeard = time;
     const bool plain = std::holds_alternative<line::PlainLengths>(message);
     if (!plain && feedback.link == LinkState::ListenOnly)
         feedback.link = LinkState::Connecting; // a controller after all
-    if (const auto* len = std::get_if<line::Len>(&message))
-        take(*len, time);
-    else if (const auto* lengths = std::get_if<line::PlainLengths>(&message))
-        take(*lengths, time);
-    else if (const auto* ok = std::get_if<line::Ok>(&message))
-        take(*ok);
-    else if (const auto* err = std::get_if<line::Err>(&message))
-        take(*err);
-    else if (const auto* fault = std::get_if<line::Fault>(&message))
-        note(Kind::Fault, fault->code, fault->text);
-    else if (const auto* ident = std::get_if<line::Ident>(&message))
-        take(*ident);
-    else if (const auto* unsupported = std::get_if<line::UnsupportedIdent>(&message))
-        take(*unsupported);
+    const auto take = [&](const auto& m) {
+        using Message = std::decay_t<decltype(m)>;
+        if constexpr (std::is_same_v<Message, line::Len> || std::is_same_v<Message, line::PlainLengths>)
+            process(m, time);
+        else if constexpr (std::is_same_v<Message, line::Ident> ||
+                           std::is_same_v<Message, line::UnsupportedIdent> ||
+                           std::is_same_v<Message, line::Ok> || std::is_same_v<Message, line::Err> ||
+                           std::is_same_v<Message, line::Fault>)
+            process(m);
+    };
+    std::visit(take, message);
 }
 
-void LineDevice::Impl::take(const line::Ident& ident) {
+void LineDevice::Impl::process(const line::Ident& ident) {
     const bool isNew = !identified || ident.name != feedback.controllerName;
     identified = true;
-    lastComplaint.clear();
+    lastReported.reset();
     feedback.link = LinkState::Connected;
     feedback.controllerName = ident.name;
     feedback.period = ident.period;
     feedback.minLength = ident.minLength;
     feedback.maxLength = ident.maxLength;
     if (isNew) {
-        note(Kind::Identified, {}, ident.name);
+        note(notice::Identified{ident.name});
         periodRefused = false;
     }
     if (isNew || (ident.period != options.desiredPeriod && !periodRefused))
         periodTries = kPeriodTries;
 }
 
-void LineDevice::Impl::take(const line::UnsupportedIdent& ident) {
-    complainOnce("IDENT", "not supported: " + ident.cause);
+void LineDevice::Impl::process(const line::UnsupportedIdent& ident) {
+    reportOnce({DeviceRequest::Identity, ident.reason, {}, ident.number});
 }
 
-void LineDevice::Impl::take(const line::Ok& ok) {
+void LineDevice::Impl::process(const line::Ok& ok) {
     if (ok.request == "STOP")
         stop.confirm();
     if (ok.request == "DISABLE")
         disable.confirm();
     if (ok.request == "ENABLE")
         awaitsEnabled = true;
-    if (ok.request == "HOME")
-        note(Kind::Acknowledged, ok.request, {});
+    if (ok.request == "HOME" || ok.request == "CLEAR")
+        note(notice::Acknowledged{deviceRequestFromWord(ok.request)});
     if (pending.answered(ok.request) && ok.request == "PERIOD") {
         feedback.period = options.desiredPeriod;
         periodTries = 0;
     }
 }
 
-void LineDevice::Impl::take(const line::Err& err) {
-    const std::string text = err.text.empty() ? err.code : err.code + ' ' + err.text;
-    if (err.request == "HELLO")
-        return complainOnce(err.request, text);
-    if (err.request == "STOP") // asked again until it is confirmed
-        return complainOnce(err.request, text);
+void LineDevice::Impl::process(const line::Err& err) {
+    DeviceRefusal refusal{deviceRequestFromWord(err.request), refusalReasonFromCode(err.code), err.code};
+    if (!err.text.empty())
+        refusal.text += ' ' + err.text;
+    if (refusal.request == DeviceRequest::Other)
+        refusal.text = err.request + ' ' + refusal.text;
+    if (err.request == "HELLO" || err.request == "STOP") // asked again until it is confirmed
+        return reportOnce(std::move(refusal));
     if (err.request == "DISABLE")
         disable.confirm();
     pending.answered(err.request);
@@ -94,18 +94,22 @@ void LineDevice::Impl::take(const line::Err& err) {
         periodTries = 0;
         periodRefused = true;
     }
-    note(Kind::Refused, err.request, text);
+    note(notice::Refused{std::move(refusal)});
 }
 
-void LineDevice::Impl::take(const line::Len& len, Time time) {
-    switch (order.judge(len.number, len.time)) {
-    case line::FrameSequence::Result::Drop:
+void LineDevice::Impl::process(const line::Fault& fault) {
+    note(notice::Fault{fault.code + ' ' + fault.text});
+}
+
+void LineDevice::Impl::process(const line::Len& len, Time time) {
+    switch (order.classify(len.number, len.time)) {
+    case line::FrameSequence::Result::Discard:
         ++droppedOrder;
         return;
     case line::FrameSequence::Result::Restart:
-        beginAgain();
+        onControllerRestart();
         break;
-    case line::FrameSequence::Result::Next:
+    case line::FrameSequence::Result::Accept:
         break;
     }
     awaitsEnabled = false;
@@ -126,10 +130,10 @@ void LineDevice::Impl::take(const line::Len& len, Time time) {
     }
 }
 
-void LineDevice::Impl::take(const line::PlainLengths& plain, Time time) {
+void LineDevice::Impl::process(const line::PlainLengths& plain, Time time) {
     if (feedback.link != LinkState::ListenOnly) {
         feedback.link = LinkState::ListenOnly;
-        note(Kind::ListenOnly, {}, {});
+        note(notice::ListenOnly{});
     }
     feedback.lengths = plain.lengths;
     feedback.receivedAt = time;
@@ -137,8 +141,8 @@ void LineDevice::Impl::take(const line::PlainLengths& plain, Time time) {
 }
 
 /// The controller started again and knows nothing of what was asked before.
-void LineDevice::Impl::beginAgain() {
-    note(Kind::ClockWentBack, {}, {});
+void LineDevice::Impl::onControllerRestart() {
+    note(notice::ClockWentBack{});
     identified = false;
     lastHello.reset();
     pending.clear();

@@ -42,7 +42,8 @@ struct Ident {
 };
 /// An IDENT of a protocol version or leg count that nothing here speaks.
 struct UnsupportedIdent {
-    std::string cause;
+    RefusalReason reason = RefusalReason::ProtocolVersion; ///< LegCount or IdentityFields
+    long long number = 0;                                  ///< what it said instead
 };
 struct Len {
     std::uint16_t number = 0;

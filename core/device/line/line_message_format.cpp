@@ -35,7 +35,7 @@ struct Formatter {
         std::string text =
             withLengths("LEN," + std::to_string(m.number) + ',' + std::to_string(m.time.count()), m.lengths);
         text += ',';
-        text += static_cast<char>(m.state);
+        text += toLetter(m.state);
         return text + ',' + std::to_string(m.setNumber);
     }
     std::string operator()(const Ok& m) const { return "OK," + m.request; }

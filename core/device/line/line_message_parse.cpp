@@ -20,7 +20,6 @@ using Cause = Malformed::Cause;
 
 constexpr long long kVersion = 1;
 constexpr long long kMaxCount = 65535;
-constexpr std::string_view kStates = "UDESF";
 
 Fields split(std::string_view payload) {
     Fields fields;
@@ -106,12 +105,12 @@ LineMessage parseIdent(const Fields& fields) {
         return malformed(Cause::Fields, fields);
     const std::optional<long long> version = parseWireInteger(fields[1]);
     if (version && *version != kVersion)
-        return UnsupportedIdent{"protocol version " + std::to_string(*version) + ", not 1"};
+        return UnsupportedIdent{RefusalReason::ProtocolVersion, *version};
     if (fields.size() != kFieldCount)
         return malformed(Cause::Fields, fields);
     const std::optional<long long> legs = parseWireInteger(fields[3]);
     if (version && legs && *legs != kLegCount)
-        return UnsupportedIdent{std::to_string(*legs) + " legs, not 6"};
+        return UnsupportedIdent{RefusalReason::LegCount, *legs};
     const std::optional<double> period = parseWireDecimal(fields[4]);
     const std::optional<double> min = parseWireDecimal(fields[5]);
     const std::optional<double> max = parseWireDecimal(fields[6]);
@@ -124,8 +123,10 @@ LineMessage parseIdent(const Fields& fields) {
 
 LineMessage parseLen(const Fields& fields) {
     constexpr std::size_t kState = 3 + kLegCount;
-    if (fields.size() != kState + 2 || fields[kState].size() != 1 ||
-        kStates.find(fields[kState].front()) == std::string_view::npos)
+    if (fields.size() != kState + 2 || fields[kState].size() != 1)
+        return malformed(Cause::Fields, fields);
+    const std::optional<ControllerState> state = controllerStateFromLetter(fields[kState].front());
+    if (!state || *state == ControllerState::Unknown)
         return malformed(Cause::Fields, fields);
     const std::optional<long long> number = parseWireInteger(fields[1]);
     const std::optional<long long> time = parseWireInteger(fields[2]);
@@ -134,8 +135,8 @@ LineMessage parseLen(const Fields& fields) {
     if (!number || *number < 0 || *number > kMaxCount || !time || *time < 0 || !isMeasurement(lengths) ||
         !set || *set < -1 || *set > kMaxCount)
         return malformed(Cause::Number, fields);
-    return Len{static_cast<std::uint16_t>(*number), std::chrono::microseconds(*time), *lengths,
-               static_cast<ControllerState>(fields[kState].front()), static_cast<std::int32_t>(*set)};
+    return Len{static_cast<std::uint16_t>(*number), std::chrono::microseconds(*time), *lengths, *state,
+               static_cast<std::int32_t>(*set)};
 }
 
 LineMessage parseOk(const Fields& fields) {

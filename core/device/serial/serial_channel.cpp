@@ -25,12 +25,13 @@ std::string devicePath(const std::string& path) {
     std::error_code error;
     const std::filesystem::path real = std::filesystem::canonical(path, error);
     if (error)
-        throw ChannelError(path + ": " + error.message());
+        throw ChannelError(error == std::errc::no_such_file_or_directory
+                               ? PortFailure{PortFailure::Kind::NotFound, path, {}}
+                               : PortFailure{PortFailure::Kind::Other, path, error.message()});
     if (!std::filesystem::is_character_file(real, error))
-        throw ChannelError(path + ": not a serial port");
+        throw ChannelError(PortFailure{PortFailure::Kind::NotAPort, path, {}});
     if (::access(real.c_str(), R_OK | W_OK) != 0 && errno == EACCES)
-        throw ChannelError(path + ": no permission. Add yourself to the group of serial ports "
-                                  "(sudo usermod -aG dialout $USER), then log in again");
+        throw ChannelError(PortFailure{PortFailure::Kind::NoPermission, path, {}});
     return real.string();
 }
 
@@ -43,14 +44,14 @@ struct SerialChannel::Impl {
 
     void open(int baud);
     void discardOld();
-    [[noreturn]] void fail(const std::string& reason);
+    [[noreturn]] void fail(PortFailure::Kind kind, const std::string& system = {});
     void checkOpen();
 };
 
-void SerialChannel::Impl::fail(const std::string& reason) {
+void SerialChannel::Impl::fail(PortFailure::Kind kind, const std::string& system) {
     if (port.isOpen())
         port.close();
-    throw ChannelError(path + ": " + reason);
+    throw ChannelError(PortFailure{kind, path, system});
 }
 
 void SerialChannel::Impl::open(int baud) {
@@ -63,8 +64,8 @@ void SerialChannel::Impl::open(int baud) {
     if (!port.open(QIODevice::ReadWrite)) {
         const std::string reason = port.errorString().toStdString();
         if (port.error() == QSerialPort::PermissionError)
-            fail("another program has it open (" + reason + ")");
-        fail("not opened as a serial port: " + reason);
+            fail(PortFailure::Kind::Busy, reason);
+        fail(PortFailure::Kind::NotOpened, reason);
     }
     discardOld();
 }
@@ -81,13 +82,13 @@ void SerialChannel::Impl::discardOld() {
 
 void SerialChannel::Impl::checkOpen() {
     if (!port.isOpen())
-        throw ChannelError(path + ": the port is closed");
+        throw ChannelError(PortFailure{PortFailure::Kind::Closed, path, {}});
     switch (port.error()) {
     case QSerialPort::NoError:
     case QSerialPort::TimeoutError:
         return;
     default:
-        fail("the port is gone"); // the system's word for it is that of whichever call came first
+        fail(PortFailure::Kind::Gone); // the system's word for it is that of whichever call came first
     }
 }
 
@@ -117,7 +118,7 @@ void SerialChannel::write(std::string_view bytes) {
     port.flush();
     for (QDeadlineTimer deadline(kWriteTimeoutMs); port.bytesToWrite() > 0;) {
         if (!port.waitForBytesWritten(static_cast<int>(deadline.remainingTime())) && deadline.hasExpired())
-            m_impl->fail("the port takes no bytes");
+            m_impl->fail(PortFailure::Kind::NotTaking);
         m_impl->checkOpen();
     }
     m_impl->checkOpen();

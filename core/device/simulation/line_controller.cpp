@@ -108,7 +108,7 @@ void LineController::reply(const std::string& type, Refusal refusal) {
         return send(line::Ok{type});
     case Refusal::State:
         return send(line::Err{type, "STATE",
-                              std::string("not allowed in state ") + static_cast<char>(m_platform.state())});
+                              std::string("not allowed in state ") + toLetter(m_platform.state())});
     case Refusal::Range:
         return send(line::Err{type, "RANGE", "a length is outside its leg's stroke"});
     }

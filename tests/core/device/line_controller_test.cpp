@@ -40,7 +40,7 @@ struct Bench {
         wait(10ms);
         ask({"ENABLE"});
     }
-    char state() const { return static_cast<char>(controller.platform().state()); }
+    char state() const { return toLetter(controller.platform().state()); }
 };
 
 using Answers = std::vector<std::string>;

@@ -5,6 +5,7 @@
 #include "core/device/byte_channel.h"
 #include "core/device/line/line_codec.h"
 #include "core/device/line/line_device.h"
+#include "tests/support/exchange.h"
 
 #include <algorithm>
 #include <chrono>
@@ -97,7 +98,7 @@ struct Host {
         std::vector<DeviceNotice> notices;
         DeviceFeedback feedback;
         for (const auto end = script.now + duration; script.now < end;) {
-            feedback = device.exchange(each);
+            feedback = exchange(device, each);
             notices.insert(notices.end(), feedback.notices.begin(), feedback.notices.end());
         }
         feedback.notices = notices;
@@ -106,12 +107,12 @@ struct Host {
     /// Through the handshake, with the answers a controller gives.
     void connect() {
         script.say("IDENT,1,arm,6,20,250,350");
-        device.exchange({});
+        exchange(device, {});
         script.onSent = [this](const std::string& payload) {
             if (payload == "PERIOD,10")
                 script.say("OK,PERIOD");
         };
-        device.exchange({});
+        exchange(device, {});
         script.onSent = {};
         script.takeSent();
     }
@@ -122,9 +123,18 @@ inline int count(const std::vector<std::string>& all, const std::string& start) 
                                           [&](const std::string& one) { return one.starts_with(start); }));
 }
 
-inline int count(const std::vector<DeviceNotice>& all, DeviceNotice::Kind kind) {
-    return static_cast<int>(
-        std::count_if(all.begin(), all.end(), [&](const DeviceNotice& one) { return one.kind == kind; }));
+template <typename Notice>
+int count(const std::vector<DeviceNotice>& all) {
+    return static_cast<int>(std::count_if(
+        all.begin(), all.end(), [](const DeviceNotice& one) { return std::holds_alternative<Notice>(one); }));
+}
+/// The first notice of a kind; a default one where there is none.
+template <typename Notice>
+Notice firstOf(const std::vector<DeviceNotice>& all) {
+    for (const DeviceNotice& one : all)
+        if (const auto* notice = std::get_if<Notice>(&one))
+            return *notice;
+    return {};
 }
 
 } // namespace hexapose::testing_support

@@ -11,6 +11,7 @@
 #include "core/device/simulation/pseudo_terminal.h"
 #include "core/device/simulation/virtual_platform_server.h"
 #include "tests/core/device/test_platform.h"
+#include "tests/support/exchange.h"
 
 #include <QCoreApplication>
 #include <QThread>
@@ -83,10 +84,10 @@ std::unique_ptr<PlatformDevice> openLine(const std::string& path) {
 /// Exchanges until the feedback is as wished; the last one.
 DeviceFeedback until(PlatformDevice& device, const std::function<bool(const DeviceFeedback&)>& wish,
                      const SetPoints& first = {}, const SetPoints& each = {}) {
-    DeviceFeedback feedback = device.exchange(first);
+    DeviceFeedback feedback = exchange(device, first);
     bool there = wish(feedback);
     for (int i = 0; i < kMaxExchanges && !there; ++i) {
-        feedback = device.exchange(each);
+        feedback = exchange(device, each);
         there = wish(feedback);
     }
     EXPECT_TRUE(there);
@@ -124,7 +125,7 @@ TEST_F(SerialLine, CarriesAWholeRunOverAPathOrALinkAndOpensAgain) {
     onThread([&] {
         const std::unique_ptr<PlatformDevice> device = openLine(options.link.string());
         runThrough(*device);
-        const DeviceFeedback feedback = device->exchange({});
+        const DeviceFeedback feedback = exchange(*device, {});
         EXPECT_EQ(feedback.counters.dropped(), 0U);
         EXPECT_EQ(feedback.period, 10ms);
         EXPECT_EQ(feedback.minLength, 0.190);
@@ -171,7 +172,7 @@ TEST_F(SerialLine, APortThatGoesIsToldOnceAndTakenUpAgain) {
             return f.link == LinkState::Lost;
         });
         for (int i = 0; i < 20; ++i)
-            told += static_cast<int>(device.exchange({}).notices.size());
+            told += static_cast<int>(exchange(device, {}).notices.size());
         EXPECT_EQ(told, 1);
         server = std::make_unique<VirtualPlatformServer>(testPlatform(), options);
         until(device, inState(ControllerState::Unreferenced));

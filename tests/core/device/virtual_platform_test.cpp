@@ -47,12 +47,12 @@ TEST(VirtualPlatform, FollowsTheStateTable) {
     // State before, then after HOME ENABLE DISABLE SET STOP CLEAR and a millisecond; '-' where it is refused.
     for (const std::string_view row : {"U D-U-SU", "D DED-SD", "E -EDESE", "S --S-SD", "F --F-FD"}) {
         for (std::size_t c = 0; c < std::size(commands); ++c) {
-            VirtualPlatform platform = platformIn(static_cast<ControllerState>(row[0]));
+            VirtualPlatform platform = platformIn(*controllerStateFromLetter(row[0]));
             const Refusal refusal = commands[c](platform);
             platform.step(1ms);
             const char expected = row[2 + c];
             EXPECT_EQ(refusal, expected == '-' ? Refusal::State : Refusal::None) << row << " command " << c;
-            EXPECT_EQ(static_cast<char>(platform.state()), expected == '-' ? row[0] : expected)
+            EXPECT_EQ(toLetter(platform.state()), expected == '-' ? row[0] : expected)
                 << row << " command " << c;
             EXPECT_LT((platform.lengths() - home).norm(), kExact);
         }

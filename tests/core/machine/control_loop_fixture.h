@@ -6,6 +6,7 @@
 #include "core/geometry/geometry_file.h"
 #include "core/kinematics/newton/newton_raphson.h"
 #include "core/machine/control_loop.h"
+#include "core/record/event_codec.h"
 #include "tests/support/scripted_device.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +31,7 @@ protected:
     ControlLoopTest() {
         m_loop = std::make_unique<ControlLoop>(
             m_device, m_geometry, m_solver, ControlOptions{}, [this](const Snapshot& s) { take(s); },
-            m_device.clock());
+            m_device.clock(), std::make_unique<ImmediatePlanner>(m_geometry));
     }
     void take(const Snapshot& snapshot) {
         m_last = snapshot;
@@ -52,7 +53,7 @@ protected:
     std::string detailOf(EventCode code) const {
         const auto found =
             std::find_if(m_events.begin(), m_events.end(), [&](const Event& e) { return e.code == code; });
-        return found == m_events.end() ? "no such event" : found->detail;
+        return found == m_events.end() ? "no such event" : payloadWords(*found);
     }
     void run() { m_loop->post(RunCommand{target()}); }
     /// To the middle of a move.

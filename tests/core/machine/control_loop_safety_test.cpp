@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // What the loop does when the machine, the controller or the link does not do what is asked.
+#include "core/record/device_words.h"
 #include "tests/core/machine/control_loop_fixture.h"
 
 namespace hexapose {
@@ -17,7 +18,7 @@ constexpr double kFollowingLimit = 0.024;
 constexpr double kLongestStep = 0.0008; ///< two cycles at the leg speed
 
 TEST_F(ControlLoopSafety, ARefusedSetPointIsExplainedByTheStateThatFollows) {
-    const DeviceNotice refusal{DeviceNotice::Kind::Refused, "SET", "STATE drives are off"};
+    const DeviceNotice refusal = notice::Refused{deviceRefusalFromWords("SET STATE drives are off")};
     startMoving();
     m_device.notices.push_back(refusal);
     cycles(1);
@@ -34,7 +35,7 @@ TEST_F(ControlLoopSafety, ARefusedSetPointIsExplainedByTheStateThatFollows) {
     startMoving();
     m_device.notices.push_back(refusal);
     cycles(1);
-    m_device.notices.push_back({DeviceNotice::Kind::ClockWentBack, {}, {}});
+    m_device.notices.push_back(notice::ClockWentBack{});
     m_device.link = LinkState::Connecting;
     cycles(50);
     EXPECT_TRUE(saw(EventCode::ClockWentBack));
@@ -45,7 +46,7 @@ TEST_F(ControlLoopSafety, ARefusedSetPointIsExplainedByTheStateThatFollows) {
     m_device.state = ControllerState::Disabled;
     cycles(3);
     startMoving();
-    m_device.ignoresStop = true;
+    m_device.ignoresStop = m_device.ignoresDisable = true;
     m_device.notices.push_back(refusal);
     cycles(50);
     EXPECT_EQ(detailOf(EventCode::StoppedOnRefusal), "SET STATE drives are off") << "it stays enabled";
@@ -75,23 +76,20 @@ TEST_F(ControlLoopSafety, ALegThatIsHeldFastStopsAMotionLedByThePose) {
     }
 }
 
-TEST_F(ControlLoopSafety, AStopHurriesTheExchangeItIsPostedDuring) {
+TEST_F(ControlLoopSafety, AStopEndsTheWaitItIsPostedDuringAndLeavesInTheSameCycle) {
     startMoving();
-    const auto hurries = [this] { return m_device.received.back().hurry->load(); };
-    bool forSpeed = true, forStop = false;
+    int forSpeed = -1, forStop = -1;
     m_device.during = [&] {
         m_loop->post(SpeedCommand{0.5});
-        forSpeed = hurries();
+        forSpeed = m_device.interruptions;
         m_loop->post(StopCommand{});
-        forStop = hurries();
+        forStop = m_device.interruptions;
     };
     cycles(1);
     m_device.during = {};
-    EXPECT_FALSE(forSpeed) << "only a stop does";
-    EXPECT_TRUE(forStop);
-    cycles(1);
+    EXPECT_EQ(forSpeed, 0) << "only a stop does";
+    EXPECT_EQ(forStop, 1);
     EXPECT_EQ(m_device.received.back().request, DeviceRequest::Stop);
-    EXPECT_FALSE(hurries()) << "it is on its way";
 }
 
 TEST_F(ControlLoopSafety, NothingIsSentToAControllerThatIsEnabledAlreadyUntilTheOperatorActs) {
@@ -139,8 +137,7 @@ TEST_F(ControlLoopSafety, ALegThatDoesNotFollowStopsTheMoveAndIsNamed) {
     const std::string detail = detailOf(EventCode::StoppedOnFollowingError);
     EXPECT_EQ(detail.rfind("leg ", 0), 0u) << detail;
     EXPECT_NE(detail.find("limit 24.0 mm"), std::string::npos) << detail;
-    cycles(1);
-    EXPECT_EQ(m_device.received.back().request, DeviceRequest::Stop);
+    EXPECT_EQ(m_device.received.back().request, DeviceRequest::Stop) << "in the cycle that measured it";
     const LegLengths gap = m_device.received[m_device.received.size() - 2].lengths.value() - m_device.lengths;
     EXPECT_LT(gap.cwiseAbs().maxCoeff(), kFollowingLimit + kLongestStep) << "stopped at once";
     EXPECT_GT(m_device.received.size(), mark + 10) << "an ordinary lag is no cause";
@@ -153,19 +150,19 @@ TEST_F(ControlLoopSafety, AControllerThatTakesNoSetPointsStopsTheMove) {
     until(RunState::Stopped, 60);
     EXPECT_TRUE(saw(EventCode::StoppedOnNoEcho));
     EXPECT_GE(m_device.received.size(), mark + 30) << "300 ms of 10 ms cycles";
-    cycles(1);
     EXPECT_EQ(m_device.received.back().request, DeviceRequest::Stop);
+    cycles(1);
+    EXPECT_EQ(m_device.received.back().request, DeviceRequest::Disable);
 }
 
 TEST_F(ControlLoopSafety, NoSetPointBeyondAStrokeGoesOut) {
     startMoving();
     m_device.minLength = 0.250; // told before, and then narrowed below what the path has reached
     m_device.maxLength = 0.301;
-    cycles(1);
-    EXPECT_EQ(m_last.state, RunState::Stopped);
     const std::size_t mark = m_device.received.size();
-    cycles(1);
-    EXPECT_EQ(m_device.received[mark].request, DeviceRequest::Stop);
+    cycles(2);
+    EXPECT_EQ(m_last.state, RunState::Stopped);
+    EXPECT_EQ(requestsSince(mark), (std::vector{DeviceRequest::Stop, DeviceRequest::Disable}));
     EXPECT_EQ(detailOf(EventCode::StoppedOnNewIdentity), ", 250 to 301 mm");
 }
 
@@ -195,9 +192,10 @@ TEST_F(ControlLoopSafety, AHeldPlatformBeyondItsStrokesIsStoppedBeforeASetPointG
 TEST_F(ControlLoopSafety, AnotherControllerInMidMoveStopsIt) {
     startMoving();
     m_device.name = "Other";
+    const std::size_t mark = m_device.received.size();
     cycles(2);
     EXPECT_EQ(m_last.state, RunState::Stopped);
-    EXPECT_EQ(m_device.received.back().request, DeviceRequest::Stop);
+    EXPECT_EQ(requestsSince(mark), (std::vector{DeviceRequest::Stop, DeviceRequest::Disable}));
     EXPECT_EQ(detailOf(EventCode::StoppedOnNewIdentity), "Other");
 }
 
@@ -228,7 +226,7 @@ TEST_F(ControlLoopSafety, AsksToReferenceAgainAndGivesUpSoonWhenNothingAnswers) 
     cycles(2);
     run();
     cycles(2);
-    const DeviceNotice unanswered{DeviceNotice::Kind::NoAnswer, "HOME", {}};
+    const DeviceNotice unanswered = notice::NoAnswer{DeviceRequest::Reference};
     for (int asked = 1; asked <= 3; ++asked) {
         EXPECT_EQ(requestsSince(0), std::vector(static_cast<std::size_t>(asked), DeviceRequest::Reference));
         EXPECT_FALSE(saw(EventCode::PreparationFailed));
@@ -245,9 +243,9 @@ TEST_F(ControlLoopSafety, AReferencingWhoseAnswerWasLostIsNotAskedForAgainOnceIt
     run();
     until(RunState::Moving); // the state came, the answer never did
     const std::size_t mark = m_device.received.size();
-    m_device.notices.push_back({DeviceNotice::Kind::NoAnswer, "HOME", {}});
+    m_device.notices.push_back(notice::NoAnswer{DeviceRequest::Reference});
     cycles(2);
-    m_device.notices.push_back({DeviceNotice::Kind::Refused, "HOME", "STATE not allowed in state E"});
+    m_device.notices.push_back(notice::Refused{deviceRefusalFromWords("HOME STATE not allowed in state E")});
     until(RunState::Enabled);
     EXPECT_TRUE(requestsSince(mark).empty());
     EXPECT_TRUE(saw(EventCode::Settled));
@@ -259,12 +257,12 @@ TEST_F(ControlLoopSafety, AReferencingThatWasTakenMayLast) {
     cycles(2);
     run();
     cycles(2);
-    m_device.notices.push_back({DeviceNotice::Kind::NoAnswer, "HOME", {}});
+    m_device.notices.push_back(notice::NoAnswer{DeviceRequest::Reference});
     cycles(2);
-    m_device.notices.push_back({DeviceNotice::Kind::Acknowledged, "HOME", {}});
+    m_device.notices.push_back(notice::Acknowledged{DeviceRequest::Reference});
     cycles(2);
-    m_device.notices.push_back({DeviceNotice::Kind::Refused, "HOME", "STATE it is at it"});
-    m_device.notices.push_back({DeviceNotice::Kind::NoAnswer, "HOME", {}});
+    m_device.notices.push_back(notice::Refused{deviceRefusalFromWords("HOME STATE it is at it")});
+    m_device.notices.push_back(notice::NoAnswer{DeviceRequest::Reference});
     cycles(6000);
     EXPECT_EQ(requestsSince(0).size(), 2U);
     EXPECT_FALSE(saw(EventCode::PreparationFailed));

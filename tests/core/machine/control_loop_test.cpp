@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: MIT
 
+#include "core/record/device_words.h"
 #include "tests/core/machine/control_loop_fixture.h"
 
 #include <limits>
@@ -147,7 +148,7 @@ TEST_F(ControlLoopTest, AControllerThatStopsFaultsOrRefusesEndsTheMove) {
     cycles(2);
 
     startMoving();
-    m_device.notices.push_back({DeviceNotice::Kind::Fault, "7", "leg 2 overcurrent"});
+    m_device.notices.push_back(notice::Fault{"7 leg 2 overcurrent"});
     m_device.state = ControllerState::Fault;
     cycles(2);
     EXPECT_EQ(m_last.state, RunState::Fault);
@@ -156,7 +157,7 @@ TEST_F(ControlLoopTest, AControllerThatStopsFaultsOrRefusesEndsTheMove) {
     cycles(2);
 
     startMoving();
-    m_device.notices.push_back({DeviceNotice::Kind::Refused, "SET", "RANGE leg 1"});
+    m_device.notices.push_back(notice::Refused{deviceRefusalFromWords("SET RANGE leg 1")});
     cycles(2);
     EXPECT_EQ(m_last.state, RunState::Stopped);
     EXPECT_EQ(detailOf(EventCode::StoppedOnRefusal), "SET RANGE leg 1");
@@ -165,7 +166,7 @@ TEST_F(ControlLoopTest, AControllerThatStopsFaultsOrRefusesEndsTheMove) {
 TEST_F(ControlLoopTest, ALostPortShowsNothingAsLiveAndComesBackAtRest) {
     startMoving();
     m_device.link = LinkState::Lost;
-    m_device.notices.push_back({DeviceNotice::Kind::LinkLost, {}, "unplugged"});
+    m_device.notices.push_back(notice::LinkLost{{PortFailure::Kind::Other, {}, "unplugged"}});
     cycles(2);
     EXPECT_EQ(m_last.state, RunState::Disconnected);
     EXPECT_TRUE(m_last.stale);
@@ -175,7 +176,8 @@ TEST_F(ControlLoopTest, ALostPortShowsNothingAsLiveAndComesBackAtRest) {
     cycles(100);
     EXPECT_FALSE(anySetPointSince(mark));
     EXPECT_FALSE(m_last.stale);
-    EXPECT_EQ(requestsSince(mark), std::vector{DeviceRequest::Stop}) << "it was lost in mid-move";
+    EXPECT_EQ(requestsSince(mark), (std::vector{DeviceRequest::Stop, DeviceRequest::Disable}))
+        << "it was lost in mid-move";
     EXPECT_TRUE(saw(EventCode::StoppedAfterLoss));
     EXPECT_FALSE(saw(EventCode::StoppedByController));
     EXPECT_EQ(m_last.state, RunState::Stopped);
@@ -224,7 +226,7 @@ TEST_F(ControlLoopTest, ShutDownStopsAMoveAndDisables) {
 
 TEST_F(ControlLoopTest, AStopDecidedInTheLastCycleGoesOutInTheShutDown) {
     startMoving();
-    m_device.notices.push_back({DeviceNotice::Kind::Refused, "SET", "RANGE leg 1"});
+    m_device.notices.push_back(notice::Refused{deviceRefusalFromWords("SET RANGE leg 1")});
     cycles(1);
     ASSERT_TRUE(saw(EventCode::StoppedOnRefusal));
     const std::size_t mark = m_device.received.size();
@@ -243,7 +245,7 @@ TEST_F(ControlLoopTest, AHeldPlatformThatIsShutDownIsDisabled) {
 TEST_F(ControlLoopTest, ADisablingThatIsNeverConfirmedIsTold) {
     startMoving();
     until(RunState::Enabled);
-    m_device.ignoresDisable = true;
+    m_device.ignoresStop = m_device.ignoresDisable = true;
     m_loop->shutDown();
     EXPECT_TRUE(saw(EventCode::DisableUnconfirmed));
     EXPECT_FALSE(m_last.fresh);

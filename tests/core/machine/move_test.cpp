@@ -3,6 +3,8 @@
 
 #include "core/machine/move.h"
 
+#include "core/record/event_codec.h"
+
 #include <gtest/gtest.h>
 
 namespace hexapose {
@@ -42,11 +44,12 @@ TEST_F(MoveTest, ReferencesThenEnablesThenIsReady) {
 TEST_F(MoveTest, GivesUpWhenThePreparationDoesNotCome) {
     Move unreferenced = made(ControllerState::Unreferenced);
     EXPECT_FALSE(unreferenced.update(ControllerState::Unreferenced, false, {}, m_start + 4999ms));
-    EXPECT_EQ(unreferenced.update(ControllerState::Unreferenced, false, {}, m_start + 5001ms)->detail,
+    EXPECT_EQ(payloadWords(*unreferenced.update(ControllerState::Unreferenced, false, {}, m_start + 5001ms)),
               "reference");
     EXPECT_EQ(unreferenced.phase(), Phase::Failed);
     Move disabled = made(ControllerState::Disabled);
-    EXPECT_EQ(disabled.update(ControllerState::Disabled, false, {}, m_start + 1001ms)->detail, "enable");
+    EXPECT_EQ(payloadWords(*disabled.update(ControllerState::Disabled, false, {}, m_start + 1001ms)),
+              "enable");
 }
 
 TEST_F(MoveTest, SettlesOnlyAfterTheWholeTimeInsideTheWindow) {

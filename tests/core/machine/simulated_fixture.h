@@ -8,6 +8,7 @@
 #include "core/geometry/twist.h"
 #include "core/kinematics/newton/newton_raphson.h"
 #include "core/machine/control_loop.h"
+#include "core/record/event_codec.h"
 
 #include <gtest/gtest.h>
 
@@ -29,7 +30,7 @@ protected:
         m_machine = std::make_unique<SimulatedMachine>(m_geometry, legs, period);
         m_loop = std::make_unique<ControlLoop>(
             m_machine->device(), m_geometry, m_solver, options, [this](const Snapshot& s) { take(s); },
-            m_machine->clock());
+            m_machine->clock(), std::make_unique<ImmediatePlanner>(m_geometry));
     }
     void take(const Snapshot& snapshot) {
         m_last = snapshot;
@@ -64,7 +65,7 @@ protected:
     std::string detailOf(EventCode code) const {
         const auto found =
             std::find_if(m_events.begin(), m_events.end(), [&](const Event& e) { return e.code == code; });
-        return found == m_events.end() ? "no such event" : found->detail;
+        return found == m_events.end() ? "no such event" : payloadWords(*found);
     }
 
     PlatformGeometry m_geometry = loadPlatform(HEXAPOSE_SOURCE_DIR "/resources/platforms/laboratory.toml");

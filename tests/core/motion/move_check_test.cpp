@@ -7,8 +7,10 @@
 #include "core/kinematics/jacobian.h"
 #include "core/kinematics/singularity.h"
 #include "core/motion/limits.h"
+#include "core/motion/move_check.h"
 #include "core/motion/sine_sweep.h"
 #include "core/motion/straight_motion.h"
+#include "core/record/motion_check_words.h"
 #include "tests/core/motion/poses.h"
 
 #include <Eigen/Geometry>

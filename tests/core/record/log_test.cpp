@@ -8,6 +8,7 @@
 #include "core/record/log_reader.h"
 #include "core/record/log_writer.h"
 #include "tests/core/record/record_fixture.h"
+#include "tests/support/events.h"
 
 #include <gmock/gmock.h>
 
@@ -31,29 +32,11 @@ TEST(Words, ReadBack) {
     }
     EXPECT_EQ(toWord(RunState::Unreferenced), "unreferenced");
     EXPECT_FALSE(runStateFromWord("Moving").has_value());
-    for (int i = 0; i <= static_cast<int>(EventCode::DisableUnconfirmed); ++i) {
+    for (int i = 0; i <= static_cast<int>(EventCode::SolverChanged); ++i) {
         const auto code = static_cast<EventCode>(i);
         EXPECT_EQ(eventCodeFromWord(toWord(code)), code);
     }
     EXPECT_FALSE(eventCodeFromWord("").has_value());
-}
-
-TEST(Events, SurviveTheirField) {
-    EXPECT_EQ(formatEvent({EventCode::MoveRefused, 0.0, "leg 3 above max_mm"}),
-              "move-refused leg 3 above max_mm");
-    EXPECT_EQ(formatEvent({EventCode::Settled, 1.25, {}}), "settled 1.25");
-    EXPECT_EQ(formatEvent({EventCode::LinkLost, 0.0, "gone\r\naway"}), "link-lost gone  away");
-    const std::vector<Event> events{{EventCode::DataStale, 250.5, "no frames"},
-                                    {EventCode::ControllerFault, 0.0, "7 drive; axis 2; hot"},
-                                    {EventCode::Cleared, 0.0, {}}};
-    const std::vector<Event> back = parseEvents(formatEvents(events));
-    ASSERT_EQ(back.size(), events.size());
-    for (std::size_t i = 0; i < back.size(); ++i) {
-        EXPECT_EQ(back[i].code, events[i].code);
-        EXPECT_EQ(back[i].value, events[i].value);
-        EXPECT_EQ(back[i].detail, events[i].detail);
-    }
-    EXPECT_THAT(parseEvents("nonsense; and more"), IsEmpty());
 }
 
 TEST(UnitText, IsPlainAndReadsBack) {
@@ -96,7 +79,7 @@ TEST(LogRow, HoldsEveryColumnOfTheContract) {
     s.mode = MotionMode::Workspace;
     s.speed = 0.5;
     s.determinantRatio = 0.75;
-    s.events = {{EventCode::ControllerRefused, 0.0, "say, \"no\""}};
+    s.events = {eventFrom("controller-refused say, \"no\"")};
     std::string row;
     appendLogRow(s, row);
     EXPECT_EQ(
@@ -135,7 +118,7 @@ TEST_F(SessionLogTest, ReadsBackWhatWasWritten) {
             Snapshot s = fullSnapshot(i);
             s.measuredLengths->array() += i * 1.0e-7 / 3.0;
             if (i == 500)
-                s.events = {{EventCode::MoveRefused, 0.0, "leg 3 above max_mm"}};
+                s.events = {eventFrom("move-refused leg 3 above max_mm")};
             written.push_back(s);
             writer.append(s);
         }

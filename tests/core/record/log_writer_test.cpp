@@ -6,6 +6,7 @@
 #include "core/record/log_reader.h"
 #include "core/record/log_writer.h"
 #include "tests/core/record/record_fixture.h"
+#include "tests/support/events.h"
 
 #include <gmock/gmock.h>
 
@@ -69,7 +70,7 @@ TEST_F(LogWriterTest, ChoosesTheRowsByItself) {
         s.state = state;
         s.events.clear();
         if (event)
-            s.events.push_back({EventCode::Cleared, 0.0, {}});
+            s.events.push_back({EventCode::Cleared});
         writer.append(s);
         return writer.rowCount();
     };
@@ -174,7 +175,7 @@ void fillTheDisk(const std::filesystem::path& file, const LogMetadata& metadata)
         _exit(3);
     const auto& told = log.rows.back().events;
     if (told.size() != 1 || told[0].code != EventCode::LogFailed ||
-        told[0].detail != std::to_string(lost) + " rows lost")
+        payloadWords(told[0]) != std::to_string(lost) + " rows lost")
         _exit(4);
 }
 
@@ -249,9 +250,9 @@ TEST_F(LogWriterTest, KeepsTheLastCyclesOfEveryFaultBesideTheLog) {
             s.fresh = false; // most of these are no rows of the log
             s.events.clear();
             if (k == kFirstFault || k == kCycles - 1)
-                s.events.push_back({EventCode::StoppedOnSolver, 0.0, "singular"});
+                s.events.push_back(eventFrom("stopped-on-solver singular"));
             if (k == 60)
-                s.events.push_back({EventCode::StopRequested, 0.0, {}});
+                s.events.push_back({EventCode::StopRequested});
             writer.append(s);
         }
     }

@@ -3,6 +3,8 @@
 
 #include "core/session/pose_sequence.h"
 
+#include "core/record/event_codec.h"
+
 #include <gtest/gtest.h>
 
 namespace hexapose {
@@ -55,9 +57,9 @@ TEST(PoseSequence, EndsWithTheReasonWhateverStopsTheMove) {
           EventCode::StoppedOnLimits, EventCode::StoppedOnNewIdentity, EventCode::StoppedAfterLoss}) {
         PoseSequence sequence(twoTargets(), 1s);
         sequence.add(at(1s));
-        EXPECT_FALSE(sequence.add(at(2s, {{code, 0.0, "why"}})));
+        EXPECT_FALSE(sequence.add(at(2s, {{code, DeviceText{"why"}}})));
         EXPECT_EQ(sequence.phase(), Step::Failed) << toWord(code);
-        EXPECT_EQ(sequence.failure()->detail, "why");
+        EXPECT_EQ(sequence.failure()->get<DeviceText>()->text, "why");
         EXPECT_FALSE(sequence.add(at(3s, {{EventCode::Settled}}))) << "a sequence that failed starts nothing";
     }
 }

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/events.h"
 #include "tests/ui/console/synthetic_machine.h"
 #include "tests/ui/screen_reader.h"
 #include "ui/console/status/banner.h"
@@ -29,7 +30,7 @@ TEST(Banner, SpeaksUpForWhatMustNotBeMissedAndIsGoneAfterwards) {
     EXPECT_FALSE(banner.isHidden());
     EXPECT_TRUE(message(banner).contains(QStringLiteral("3.2 s")));
     snapshot.link = LinkState::Lost;
-    snapshot.events.push_back({EventCode::LinkLost, 0.0, "Input/output error"});
+    snapshot.events.push_back(eventFrom("link-lost Input/output error"));
     banner.showSnapshot(snapshot, true);
     EXPECT_TRUE(message(banner).contains(QStringLiteral("Input/output error")));
     EXPECT_EQ(toneOf(banner), Tone::Bad);

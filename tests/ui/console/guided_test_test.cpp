@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/events.h"
 #include "tests/ui/console/synthetic_machine.h"
 #include "tests/ui/screen_reader.h"
 #include "ui/common/theme.h"
@@ -61,7 +62,7 @@ TEST_F(GuidedTestTest, GoesThereSettlesAveragesSolvesAndCompares) {
     feed(there, RunState::Moving);
     feed(there, RunState::Settling);
     EXPECT_EQ(activeStep(), 1);
-    feed(there, RunState::Enabled, {{EventCode::Settled, 1.0, {}}});
+    feed(there, RunState::Enabled, {{EventCode::Settled, 1.0}});
     EXPECT_EQ(activeStep(), 2);
     for (int i = 0; i < 120; ++i) {
         feed(there, RunState::Enabled);
@@ -88,7 +89,7 @@ TEST_F(GuidedTestTest, StopAndAFailureEndItWithoutAResult) {
     EXPECT_TRUE(spoken("Test progress").contains(QStringLiteral("Stop")));
     button()->click();
     feed(Pose{}, RunState::Enabled);
-    feed(Pose{}, RunState::Moving, {{EventCode::ControllerFault, 0.0, "overheated"}});
+    feed(Pose{}, RunState::Moving, {eventFrom("controller-fault overheated")});
     EXPECT_FALSE(panel.isRunning());
     EXPECT_TRUE(spoken("Test progress").contains(QStringLiteral("overheated")));
 }

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/events.h"
 #include "tests/ui/console/synthetic_machine.h"
 #include "tests/ui/screen_reader.h"
 #include "ui/console/motion/jog_panel.h"
@@ -103,7 +104,7 @@ TEST_F(JogPanelTest, WhateverTakesTheButtonAwayEndsIt) {
         {"stopped", [this] { live(RunState::Stopped); }},
         {"a refusal", [this] {
              Snapshot refused = snapshot(RunState::Enabled);
-             refused.events.push_back({EventCode::MoveRefused, 0.0, "stale data"});
+             refused.events.push_back(eventFrom("move-refused stale data"));
              panel->add(refused);
          }}};
     Qt::Key key = Qt::Key_Up;
@@ -215,7 +216,7 @@ TEST_F(JogPanelTest, NothingIsAskedForWhereItWouldBeRefused) {
     EXPECT_TRUE(jogs.empty());
     QTest::mouseRelease(button("Jog +x"), Qt::LeftButton);
     Snapshot jogging = snapshot(RunState::Moving);
-    jogging.events.push_back({EventCode::JogStarted, 0.0, {}});
+    jogging.events.push_back({EventCode::JogStarted});
     panel->add(jogging);
     hold("Jog +x"); // of a jog that comes to rest
     EXPECT_EQ(jogs.size(), 1U);

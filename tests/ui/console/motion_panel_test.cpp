@@ -67,26 +67,26 @@ TEST_F(MotionPanelTest, SpeedIsSentAsItIsChosenAndAgainWhereTheLoopHasAnother) {
     EXPECT_EQ(slider->maximum(), 100);
     slider->setValue(25);
     ASSERT_EQ(commands.size(), 1U);
-    EXPECT_DOUBLE_EQ(std::get<SpeedCommand>(commands[0]).part, 0.25);
+    EXPECT_DOUBLE_EQ(std::get<SpeedCommand>(commands[0]).speedOverride, 0.25);
     EXPECT_EQ(spokenText(panel, QStringLiteral("Speed in force")), "25 %");
     panel.sessionOpened();
     ASSERT_EQ(commands.size(), 2U);
-    EXPECT_DOUBLE_EQ(std::get<SpeedCommand>(commands[1]).part, 0.25);
+    EXPECT_DOUBLE_EQ(std::get<SpeedCommand>(commands[1]).speedOverride, 0.25);
     Snapshot other = snapshotAt(geometry, Pose{}, Pose{}, RunState::Enabled, 1.0);
     other.speed = 1.0;
     ASSERT_TRUE(QTest::qWaitFor([&] {
         panel.showSnapshot(other);
         return commands.size() > 2;
     }));
-    EXPECT_DOUBLE_EQ(std::get<SpeedCommand>(commands[2]).part, 0.25);
+    EXPECT_DOUBLE_EQ(std::get<SpeedCommand>(commands[2]).speedOverride, 0.25);
 }
 
 TEST_F(MotionPanelTest, HeldIsZeroAndThenTheOldSpeed) {
     panel.speed().setHeld(true);
     panel.speed().setHeld(false);
     ASSERT_EQ(commands.size(), 2U);
-    EXPECT_EQ(std::get<SpeedCommand>(commands[0]).part, 0.0);
-    EXPECT_EQ(std::get<SpeedCommand>(commands[1]).part, 1.0);
+    EXPECT_EQ(std::get<SpeedCommand>(commands[0]).speedOverride, 0.0);
+    EXPECT_EQ(std::get<SpeedCommand>(commands[1]).speedOverride, 1.0);
 }
 
 TEST_F(MotionPanelTest, OneMotionAtATime) {

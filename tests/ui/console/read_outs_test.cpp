@@ -115,7 +115,7 @@ TEST(SettleLine, SaysTheWindowAndTheTime) {
     EXPECT_TRUE(
         show(RunState::Settling).startsWith(QStringLiteral("Not settled yet: inside 0.20 mm and 0.10")));
     EXPECT_EQ(show(RunState::Enabled), "--") << "nobody said that it has settled";
-    snapshot.events.push_back({EventCode::Settled, 1.0, {}});
+    snapshot.events.push_back({EventCode::Settled, 1.0});
     EXPECT_EQ(show(RunState::Enabled), QString::fromUtf8("Settled: inside 0.20 mm and 0.10\u00b0 for 0.3 s"));
     snapshot.events.clear();
     snapshot.mode = MotionMode::Joint;

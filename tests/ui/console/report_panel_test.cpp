@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/events.h"
 #include "tests/ui/console/synthetic_machine.h"
 #include "tests/ui/screen_reader.h"
 #include "ui/console/report/report_panel.h"
@@ -31,7 +32,7 @@ protected:
     void move(const Pose& to, double standing = 1.5) {
         panel.add(snapshotAt(geometry, to, to, RunState::Moving, now += 0.01));
         Snapshot settled = snapshotAt(geometry, to, to, RunState::Enabled, now += 0.01);
-        settled.events.push_back({EventCode::Settled, 1.0, {}});
+        settled.events.push_back({EventCode::Settled, 1.0});
         panel.add(settled);
         for (double t = 0.0; t < standing; t += 0.01) {
             panel.add(snapshotAt(geometry, to, to, RunState::Enabled, now += 0.01));
@@ -115,7 +116,7 @@ TEST_F(ReportPanelTest, RefusedMoveEndsTheList) {
     panel.add(snapshot);
     ASSERT_TRUE(asked); // the first of the default list
     EXPECT_LE(asked->offset.cwiseAbs().maxCoeff(), 0.010);
-    snapshot.events.push_back({EventCode::MoveRefused, 0.0, "leg 3 above max_mm"});
+    snapshot.events.push_back(eventFrom("move-refused leg 3 above max_mm"));
     panel.add(snapshot);
     ASSERT_EQ(finished.count(), 1);
     EXPECT_FALSE(finished.first().first().toBool());

@@ -7,8 +7,6 @@
 #include "core/kinematics/inverse_kinematics.h"
 #include "core/kinematics/newton/newton_raphson.h"
 
-#include <thread>
-
 namespace hexapose::testing {
 
 namespace {
@@ -50,8 +48,7 @@ Snapshot snapshotAt(const PlatformGeometry& geometry, const Pose& measured, cons
     return snapshot;
 }
 
-DeviceFeedback InstantDevice::exchange(const SetPoints& setPoints) {
-    std::this_thread::sleep_for(kPeriod); // the wire's pace
+void InstantDevice::write(const SetPoints& setPoints) {
     switch (setPoints.request) {
     case DeviceRequest::Reference:
     case DeviceRequest::Disable:
@@ -64,13 +61,18 @@ DeviceFeedback InstantDevice::exchange(const SetPoints& setPoints) {
     case DeviceRequest::Stop:
         m_state = ControllerState::Stopped;
         break;
-    case DeviceRequest::None:
+    default:
         break;
     }
     if (setPoints.lengths && m_state == ControllerState::Enabled) {
         m_lengths = *setPoints.lengths;
     }
-    DeviceFeedback feedback;
+}
+
+const DeviceFeedback& InstantDevice::read() {
+    m_interruption.wait(kPeriod); // the wire's pace
+    DeviceFeedback& feedback = m_feedback;
+    feedback.notices.clear();
     feedback.lengths = m_lengths;
     feedback.receivedAt = std::chrono::steady_clock::now();
     feedback.controllerTime = ++m_cycle * std::chrono::duration_cast<std::chrono::microseconds>(kPeriod);
@@ -79,7 +81,7 @@ DeviceFeedback InstantDevice::exchange(const SetPoints& setPoints) {
     feedback.protectedLink = true;
     feedback.period = kPeriod;
     if (!m_named) {
-        feedback.notices.push_back({DeviceNotice::Kind::Identified, {}, "instant"});
+        feedback.notices.push_back(notice::Identified{"instant"});
         m_named = true;
     }
     return feedback;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/device/interruption.h"
 #include "core/device/platform_device.h"
 #include "core/geometry/platform_geometry.h"
 #include "core/kinematics/forward_solver.h"
@@ -23,9 +24,13 @@ Snapshot snapshotAt(const PlatformGeometry& geometry, const Pose& measured, cons
 class InstantDevice final : public PlatformDevice {
 public:
     explicit InstantDevice(const PlatformGeometry& geometry) : m_lengths(geometry.homeLengths()) {}
-    DeviceFeedback exchange(const SetPoints& setPoints) override;
+    const DeviceFeedback& read() override;
+    void write(const SetPoints& setPoints) override;
+    void interrupt() override { m_interruption.request(); }
 
 private:
+    DeviceFeedback m_feedback;
+    Interruption m_interruption;
     LegLengths m_lengths;
     ControllerState m_state = ControllerState::Unreferenced;
     bool m_named = false;

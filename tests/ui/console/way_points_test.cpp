@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/record/pose_list.h"
+#include "tests/support/events.h"
 #include "tests/ui/console/synthetic_machine.h"
 #include "tests/ui/screen_reader.h"
 #include "ui/console/motion/way_point_table.h"
@@ -38,7 +39,7 @@ protected:
     std::string message() { return spokenText(panel, QStringLiteral("Way-point progress")).toStdString(); }
     void settleAt(const Pose& pose) {
         feed(pose, RunState::Moving);
-        feed(pose, RunState::Enabled, {{EventCode::Settled, 1.0, {}}});
+        feed(pose, RunState::Enabled, {{EventCode::Settled, 1.0}});
     }
 
     PlatformGeometry geometry;
@@ -111,9 +112,9 @@ TEST_F(WayPointsTest, PauseHoldsAndReleases) {
 
 TEST_F(WayPointsTest, ARefusalAFaultAndAStopEndItWithTheirReason) {
     const std::pair<Event, const char*> ends[] = {
-        {{EventCode::MoveRefused, 0.0, "leg 3 above max_mm"}, "Leg 3 would be above"},
-        {{EventCode::ControllerFault, 0.0, "overheated"}, "overheated"},
-        {{EventCode::StoppedOnStaleData, 0.0, {}}, "the measurements stayed away"}};
+        {eventFrom("move-refused leg 3 above max_mm"), "Leg 3 would be above"},
+        {eventFrom("controller-fault overheated"), "overheated"},
+        {{EventCode::StoppedOnStaleData}, "the measurements stayed away"}};
     for (const auto& [event, words] : ends) {
         asked.clear();
         panel.table().setPoses(three);

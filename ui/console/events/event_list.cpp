@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/console/events/event_list.h"
 
+#include "core/record/event_codec.h"
 #include "ui/console/events/event_delegate.h"
 
 #include <QDateTime>
@@ -36,8 +37,7 @@ EventList::EventList(QWidget* parent) : Card(parent), m_list(new QListWidget(thi
 }
 
 void EventList::add(const Event& event, Time time) {
-    put({[event] { return eventText(event); }, time, 1,
-         std::string(toWord(event.code)) + '\n' + event.detail});
+    put({[event] { return eventText(event); }, time, 1, formatEvent(event)});
 }
 
 void EventList::addNote(const Text& text, Time time) {

@@ -3,14 +3,9 @@
 #include "ui/console/events/event_text.h"
 
 #include "core/base/number_text.h"
-#include "core/kinematics/forward_solver.h"
-#include "core/record/run_state.h"
-#include "ui/common/status_text.h"
-#include "ui/console/events/motion_check_text.h"
+#include "ui/console/events/payload_text.h"
 
 #include <QCoreApplication>
-
-#include <cstdio>
 
 namespace hexapose {
 
@@ -23,75 +18,56 @@ struct EventWords {
 QString fixed(double value, int decimals) {
     return QString::fromStdString(formatFixed(value, decimals));
 }
-QString detailOf(const Event& event) {
-    return QString::fromStdString(event.detail);
-}
 
-/// "cause: detail", or the cause alone.
-QString withDetail(const QString& cause, const QString& detail) {
-    return detail.isEmpty() ? cause : EventWords::tr("%1: %2").arg(cause, detail);
-}
-
-QString solverDetail(const Event& event) {
-    const auto status = solveStatusFromWord(event.detail);
-    return status ? solveStatusText(*status) : detailOf(event);
-}
-
-QString moveRefusal(const Event& event) {
-    if (event.detail == "stale data") {
-        return EventWords::tr("the last measurement is too old");
-    }
-    const auto status = solveStatusFromWord(event.detail);
-    return status && *status != SolveStatus::InvalidInput ? solveStatusText(*status)
-                                                          : motionCheckTextFromWords(detailOf(event));
-}
-
-/// "run in stopped": the state in the language of the screen.
-QString refusalDetail(const Event& event) {
-    const std::size_t in = event.detail.rfind(" in ");
-    const auto state = in == std::string::npos ? std::nullopt : runStateFromWord(event.detail.substr(in + 4));
-    return state ? stateText(*state) : detailOf(event);
+/// "cause: payload", or the cause alone.
+QString withPayload(const QString& cause, const Event& event) {
+    const QString payload = payloadText(event.data);
+    return payload.isEmpty() ? cause : EventWords::tr("%1: %2").arg(cause, payload);
 }
 
 /// What has to come before a command that the present state does not allow.
-QString refusalAdvice(const Event& event) {
-    const bool down = event.detail.ends_with(" in stopped") || event.detail.ends_with(" in fault");
-    const bool moving = event.detail.ends_with(" in moving") || event.detail.ends_with(" in settling");
-    if (event.detail.starts_with("jog") && !down) {
+QString refusalAdvice(const CommandRefusal& refusal) {
+    const bool down = refusal.state == RunState::Stopped || refusal.state == RunState::Fault;
+    const bool moving = refusal.state == RunState::Moving || refusal.state == RunState::Settling;
+    if (refusal.command == Command::Jog && !down) {
         return moving ? EventWords::tr("Wait until the motion is over.")
                       : EventWords::tr("Press Enable first; a jog does not put the drives on.");
     }
-    return moving ? EventWords::tr("Wait until the motion is over, or press Stop.")
-                  : EventWords::tr("After a stop or a fault press Clear first.");
+    if (down) {
+        return EventWords::tr("After a stop or a fault press Clear first.");
+    }
+    if (moving) {
+        return EventWords::tr("Wait until the motion is over, or press Stop.");
+    }
+    return refusal.state == RunState::Disconnected ? EventWords::tr("Wait until a controller is connected.")
+                                                   : EventWords::tr("Nothing has changed.");
 }
 
-QString controllerStateDetail(const Event& event) {
-    if (event.detail == "S") {
-        return stateText(RunState::Stopped);
+QString moveAdvice(const Event& event) {
+    const auto* check = event.get<MotionCheck>();
+    if (event.get<MotionInhibit>() || (check && (check->reason == MotionCheck::Reason::StartMoved ||
+                                                 check->reason == MotionCheck::Reason::LimitsChanged))) {
+        return EventWords::tr("Nothing moved. Try again.");
     }
-    if (event.detail == "F") {
-        return stateText(RunState::Fault);
-    }
-    if (event.detail == "U") {
-        return stateText(RunState::Unreferenced);
-    }
-    return event.detail == "D" ? stateText(RunState::Disabled) : detailOf(event);
+    return check && check->liesAlongPath()
+               ? EventWords::tr("Nothing moved. Go there in smaller steps or in the other mode.")
+               : EventWords::tr("Nothing moved. Change the target.");
 }
 
 EventText linkText(const Event& event) {
     switch (event.code) {
     case EventCode::Connected:
-        return {withDetail(EventWords::tr("Connected"), detailOf(event)), {}, Tone::Good};
+        return {withPayload(EventWords::tr("Connected"), event), {}, Tone::Good};
     case EventCode::ListenOnly:
         return {EventWords::tr("An unprotected sender of lengths"),
                 EventWords::tr(
                     "Its values are shown, but it takes no commands and errors on the line stay unseen."),
                 Tone::Warn};
     case EventCode::LinkLost:
-        return {withDetail(EventWords::tr("The link is lost"), detailOf(event)),
+        return {withPayload(EventWords::tr("The link is lost"), event),
                 EventWords::tr("Check the cable and the port; the console keeps trying."), Tone::Bad};
     case EventCode::DataStale:
-        return {EventWords::tr("No valid measurement for %1 ms").arg(fixed(event.value, 0)),
+        return {EventWords::tr("No valid measurement for %1 ms").arg(fixed(event.value(), 0)),
                 EventWords::tr("The values shown are old. Check the controller and the line."), Tone::Bad};
     case EventCode::DataFresh:
         return {EventWords::tr("Measurements arrive"), {}, Tone::Good};
@@ -100,7 +76,7 @@ EventText linkText(const Event& event) {
                 EventWords::tr("It was probably restarted. Reference it again if it asks for it."),
                 Tone::Warn};
     case EventCode::NoAnswer:
-        return {withDetail(EventWords::tr("The controller did not answer"), detailOf(event)),
+        return {withPayload(EventWords::tr("The controller did not answer"), event),
                 EventWords::tr("Try again; if it stays silent, check the controller and the line."),
                 Tone::Warn};
     default:
@@ -108,48 +84,35 @@ EventText linkText(const Event& event) {
     }
 }
 
-/// "leg 3 off by 25.1 mm, limit 24.0 mm", in the language of the screen.
-QString followingText(const Event& event) {
-    int leg = 0;
-    char gap[24] = "";
-    char limit[24] = "";
-    if (std::sscanf(event.detail.c_str(), "leg %d off by %23s mm, limit %23s mm", &leg, gap, limit) != 3) {
-        return withDetail(EventWords::tr("Stopped: a leg does not follow"), detailOf(event));
-    }
-    return EventWords::tr("Stopped: leg %1 is %2 mm from its set-point, more than %3 mm")
-        .arg(QString::number(leg), QString::fromLatin1(gap), QString::fromLatin1(limit));
-}
-
 EventText stopText(const Event& event) {
     const QString clear = EventWords::tr("Find the cause, press Clear, then Run.");
     switch (event.code) {
     case EventCode::StopRequested:
-        return {EventWords::tr("Stop"), EventWords::tr("Press Clear before the next Run."), Tone::Warn};
+        return {withPayload(EventWords::tr("Stop"), event),
+                EventWords::tr("Press Clear before the next Run."), Tone::Warn};
     case EventCode::StoppedByController:
-        return {withDetail(EventWords::tr("The controller stopped the move"), controllerStateDetail(event)),
-                clear, Tone::Bad};
+        return {withPayload(EventWords::tr("The controller stopped the move"), event), clear, Tone::Bad};
     case EventCode::StoppedOnStaleData:
         return {EventWords::tr("Stopped: the measurements stayed away"), clear, Tone::Bad};
     case EventCode::StoppedOnSolver:
-        return {withDetail(EventWords::tr("Stopped: the lengths gave no usable pose"), solverDetail(event)),
-                clear, Tone::Bad};
+        return {withPayload(EventWords::tr("Stopped: the lengths gave no usable pose"), event), clear,
+                Tone::Bad};
     case EventCode::StoppedOnRefusal:
-        return {withDetail(EventWords::tr("Stopped: the controller refused a set-point"), detailOf(event)),
-                clear, Tone::Bad};
+        return {withPayload(EventWords::tr("Stopped: the controller refused a set-point"), event), clear,
+                Tone::Bad};
     case EventCode::StoppedOnFollowingError:
-        return {followingText(event), clear, Tone::Bad};
+        return {withPayload(EventWords::tr("Stopped: a leg does not follow"), event), clear, Tone::Bad};
     case EventCode::StoppedOnNoEcho:
         return {EventWords::tr("Stopped: the controller accepted no set-point for %1 ms")
-                    .arg(fixed(event.value, 0)),
+                    .arg(fixed(event.value(), 0)),
                 clear, Tone::Bad};
     case EventCode::StoppedOnLimits:
-        return {withDetail(EventWords::tr("Stopped: a set-point would have left a stroke"),
-                           motionCheckTextFromWords(detailOf(event))),
-                clear, Tone::Bad};
+        return {withPayload(EventWords::tr("Stopped: a set-point would have left a stroke"), event), clear,
+                Tone::Bad};
     case EventCode::StoppedOnNewIdentity:
-        return {withDetail(EventWords::tr("Stopped: the controller gave another name or other limits"),
-                           detailOf(event)),
-                clear, Tone::Bad};
+        return {
+            withPayload(EventWords::tr("Stopped: the controller gave another name or other limits"), event),
+            clear, Tone::Bad};
     case EventCode::StoppedAfterLoss:
         return {EventWords::tr("The link is back after a loss in mid-move: a stop was sent"), clear,
                 Tone::Bad};
@@ -157,10 +120,10 @@ EventText stopText(const Event& event) {
         return {EventWords::tr("The controller did not confirm that the drives are off"),
                 EventWords::tr("Look at the machine; take its drives off there."), Tone::Bad};
     case EventCode::LoopFailed:
-        return {withDetail(EventWords::tr("The control loop ended"), detailOf(event)),
+        return {withPayload(EventWords::tr("The control loop ended"), event),
                 EventWords::tr("Disconnect and connect again; keep the log for the maker."), Tone::Bad};
     case EventCode::ControllerFault:
-        return {withDetail(EventWords::tr("Fault of the controller"), detailOf(event)),
+        return {withPayload(EventWords::tr("Fault of the controller"), event),
                 EventWords::tr("Remove the cause at the machine, then press Clear."), Tone::Bad};
     default:
         return {};
@@ -170,32 +133,27 @@ EventText stopText(const Event& event) {
 EventText refusalText(const Event& event) {
     switch (event.code) {
     case EventCode::MoveRefused:
-        return {withDetail(EventWords::tr("The move was refused"), moveRefusal(event)),
-                liesAlongPath(detailOf(event))
-                    ? EventWords::tr("Nothing moved. Go there in smaller steps or in the other mode.")
-                    : EventWords::tr("Nothing moved. Change the target."),
-                Tone::Warn};
+        return {withPayload(EventWords::tr("The move was refused"), event), moveAdvice(event), Tone::Warn};
     case EventCode::PreparationFailed:
-        return {withDetail(EventWords::tr("The move did not begin: the platform could not be made ready"),
-                           detailOf(event)),
+        return {withPayload(EventWords::tr("The move did not begin: the platform could not be made ready"),
+                            event),
                 EventWords::tr("Press Reference or Enable and see what the controller answers."), Tone::Warn};
     case EventCode::ControllerRefused:
-        return {withDetail(EventWords::tr("The controller refused"), detailOf(event)),
+        return {withPayload(EventWords::tr("The controller refused"), event),
                 EventWords::tr("See the controller's manual for the code."), Tone::Warn};
     case EventCode::CommandRefused:
-        return {withDetail(EventWords::tr("The command cannot be carried out in this state"),
-                           refusalDetail(event)),
-                refusalAdvice(event), Tone::Warn};
+        return {withPayload(EventWords::tr("The command cannot be carried out in this state"), event),
+                event.get<CommandRefusal>() ? refusalAdvice(*event.get<CommandRefusal>()) : QString(),
+                Tone::Warn};
     case EventCode::JogLimited:
-        return {withDetail(EventWords::tr("The jog came to rest before a limit"),
-                           motionCheckTextFromWords(detailOf(event))),
+        return {withPayload(EventWords::tr("The jog came to rest before a limit"), event),
                 EventWords::tr("Jog the other way, or along another axis."), Tone::Warn};
     case EventCode::NotSettled:
-        return {EventWords::tr("The legs had not settled after %1 s").arg(fixed(event.value, 1)),
+        return {EventWords::tr("The legs had not settled after %1 s").arg(fixed(event.value(), 1)),
                 EventWords::tr("Look at the leg errors: load, friction or a drive's gain may be the cause."),
                 Tone::Warn};
     case EventCode::LogFailed:
-        return {withDetail(EventWords::tr("The log cannot be written"), detailOf(event)),
+        return {withPayload(EventWords::tr("The log cannot be written"), event),
                 EventWords::tr("Free space on the disk, then connect again."), Tone::Bad};
     default:
         return {};
@@ -213,20 +171,17 @@ EventText progressText(const Event& event) {
     case EventCode::Disabled:
         return {EventWords::tr("Disabled"), {}, Tone::Idle};
     case EventCode::MoveStarted:
-        return {EventWords::tr("Move started, %1 s planned").arg(fixed(event.value, 1)), {}, Tone::Idle};
+        return {EventWords::tr("Move started, %1 s planned").arg(fixed(event.value(), 1)), {}, Tone::Idle};
     case EventCode::JogStarted:
         return {EventWords::tr("Jog started"), {}, Tone::Idle};
     case EventCode::Settled:
-        return {EventWords::tr("Settled after %1 s").arg(fixed(event.value, 1)), {}, Tone::Good};
+        return {EventWords::tr("Settled after %1 s").arg(fixed(event.value(), 1)), {}, Tone::Good};
     case EventCode::Cleared:
         return {EventWords::tr("Cleared"), EventWords::tr("Press Run when it is safe to move."), Tone::Idle};
     case EventCode::SolverChanged:
-        return {EventWords::tr("The solver is now %1")
-                    .arg(solverTitle(std::string_view(event.detail).substr(0, event.detail.find(' ')))),
-                {},
-                Tone::Idle};
+        return {EventWords::tr("The solver is now %1").arg(payloadText(event.data)), {}, Tone::Idle};
     case EventCode::ReportSample:
-        return {EventWords::tr("Sample %1 of the report taken").arg(fixed(event.value, 0)), {}, Tone::Idle};
+        return {EventWords::tr("Sample %1 of the report taken").arg(fixed(event.value(), 0)), {}, Tone::Idle};
     default:
         return {};
     }
@@ -240,10 +195,7 @@ EventText eventText(const Event& event) {
             return text;
         }
     }
-    const std::string_view word = toWord(event.code);
-    return {withDetail(QString::fromUtf8(word.data(), static_cast<qsizetype>(word.size())), detailOf(event)),
-            {},
-            Tone::Idle};
+    return {payloadText(event.data), {}, Tone::Idle};
 }
 
 } // namespace hexapose

@@ -7,7 +7,6 @@
 #include "ui/common/status_text.h"
 
 #include <QCoreApplication>
-#include <QRegularExpression>
 
 #include <cmath>
 
@@ -23,7 +22,18 @@ QString number(double value, int decimals) {
     return QString::fromStdString(formatFixed(value, decimals));
 }
 
+/// Where only the reason is known, as from a log.
+bool hasNumbers(const MotionCheck& check) {
+    return std::isfinite(check.value) && std::isfinite(check.bound);
+}
+
 QString legText(const MotionCheck& check) {
+    if (!hasNumbers(check)) {
+        const QString text = check.reason == MotionCheck::Reason::LegAboveMax
+                                 ? MotionCheckText::tr("Leg %1 would be above its maximum")
+                                 : MotionCheckText::tr("Leg %1 would be below its minimum");
+        return text.arg(check.leg);
+    }
     const double value = mmFromMetres(check.value);
     const double bound = mmFromMetres(check.bound);
     const double by = std::abs(value - bound);
@@ -42,6 +52,9 @@ QString axisText(int axis) {
 }
 
 QString envelopeText(const MotionCheck& check) {
+    if (!hasNumbers(check)) {
+        return MotionCheckText::tr("%1 would be outside its allowed range").arg(axisText(check.axis));
+    }
     const int coordinate = check.axis - 1;
     const QString unit = coordinate < 3 ? QStringLiteral(" mm") : QString::fromUtf8("\u00b0");
     return MotionCheckText::tr("%1 would be %2, outside its allowed \u00b1%3")
@@ -49,7 +62,13 @@ QString envelopeText(const MotionCheck& check) {
              QString::fromStdString(formatNumber(toDisplay(coordinate, check.bound))) + unit);
 }
 
-QString legPaceText(const MotionCheck& check) {
+QString legRateText(const MotionCheck& check) {
+    if (!hasNumbers(check)) {
+        const QString text = check.reason == MotionCheck::Reason::LegSpeed
+                                 ? MotionCheckText::tr("Leg %1 would move too fast")
+                                 : MotionCheckText::tr("Leg %1 would exceed its acceleration limit");
+        return text.arg(check.leg);
+    }
     const QString text =
         check.reason == MotionCheck::Reason::LegSpeed
             ? MotionCheckText::tr("Leg %1 would move at %2 mm/s, faster than its %3 mm/s")
@@ -59,7 +78,7 @@ QString legPaceText(const MotionCheck& check) {
 }
 
 QString withPlace(const QString& reason, const QString& percent) {
-    return MotionCheckText::tr("%1, at %2 % of the way").arg(reason, percent);
+    return MotionCheckText::tr("%1, at %2 % of the path").arg(reason, percent);
 }
 
 QString reasonText(const MotionCheck& check) {
@@ -72,6 +91,9 @@ QString reasonText(const MotionCheck& check) {
     case MotionCheck::Reason::LegBelowMin:
         return legText(check);
     case MotionCheck::Reason::NearSingular:
+        if (!hasNumbers(check)) {
+            return MotionCheckText::tr("Too close to a singular pose");
+        }
         return MotionCheckText::tr("Too close to a singular pose: margin %1, at least %2 is needed")
             .arg(number(check.value, 3), number(check.bound, 3));
     case MotionCheck::Reason::OtherAssemblyMode:
@@ -81,57 +103,23 @@ QString reasonText(const MotionCheck& check) {
     case MotionCheck::Reason::OutsideEnvelope:
         return envelopeText(check);
     case MotionCheck::Reason::WrongSideOfSingularity:
+        if (!hasNumbers(check)) {
+            return MotionCheckText::tr("Beyond the singular poses");
+        }
         return MotionCheckText::tr("Beyond the singular poses: q would be %1, at least %2 is needed")
             .arg(number(check.value, 3), number(check.bound, 3));
     case MotionCheck::Reason::LegSpeed:
     case MotionCheck::Reason::LegAcceleration:
-        return legPaceText(check);
+        return legRateText(check);
+    case MotionCheck::Reason::PlanTooLong:
+        return MotionCheckText::tr(
+            "The path runs along a singular pose, or is too long to be checked in time");
+    case MotionCheck::Reason::StartMoved:
+        return MotionCheckText::tr("The platform has moved since the motion was planned");
+    case MotionCheck::Reason::LimitsChanged:
+        return MotionCheckText::tr("The limits have changed since the motion was planned");
     }
     return {};
-}
-
-/// The reason of a check's words, without the place.
-QString reasonTextFromWords(const QString& words) {
-    static const QRegularExpression leg(
-        QStringLiteral("^leg (\\d) (above max_mm|below min_mm|too fast|accelerated too hard)$"));
-    static const QRegularExpression axis(QStringLiteral("^(x|y|z|alpha|beta|gamma) outside the envelope$"));
-    if (const auto match = leg.match(words); match.hasMatch()) {
-        const QString what = match.captured(2);
-        const QString text =
-            what.startsWith(QLatin1String("above")) ? MotionCheckText::tr("Leg %1 would be above its maximum")
-            : what.startsWith(QLatin1String("below"))
-                ? MotionCheckText::tr("Leg %1 would be below its minimum")
-            : what.startsWith(QLatin1String("too")) ? MotionCheckText::tr("Leg %1 would move too fast")
-                                                    : MotionCheckText::tr("Leg %1 would accelerate too hard");
-        return text.arg(match.captured(1));
-    }
-    if (const auto match = axis.match(words); match.hasMatch()) {
-        for (int i = 1; i <= 6; ++i) {
-            if (coordinateTexts()[static_cast<std::size_t>(i - 1)].word == match.captured(1)) {
-                return MotionCheckText::tr("%1 would be outside its allowed range").arg(axisText(i));
-            }
-        }
-    }
-    if (words == QLatin1String("path near singular")) {
-        return MotionCheckText::tr("The path comes too close to a singular pose");
-    }
-    if (words == QLatin1String("near singular")) {
-        return MotionCheckText::tr("Too close to a singular pose");
-    }
-    if (words == QLatin1String("across the singular poses")) {
-        return MotionCheckText::tr("Beyond the singular poses");
-    }
-    if (words == QLatin1String("other branch")) {
-        return MotionCheckText::tr("The legs would lead to another pose than the target");
-    }
-    return words == QLatin1String("invalid-input") ? MotionCheckText::tr("A coordinate is not a number")
-                                                   : QString();
-}
-
-/// "reason at 63 %": the reason and the number.
-QRegularExpressionMatch placeIn(const QString& words) {
-    static const QRegularExpression place(QStringLiteral("^(.*) at (\\d+) %$"));
-    return place.match(words);
 }
 
 } // namespace
@@ -139,19 +127,6 @@ QRegularExpressionMatch placeIn(const QString& words) {
 QString motionCheckText(const MotionCheck& check) {
     const bool alongPath = !check.ok() && check.fraction < 1.0;
     return alongPath ? withPlace(reasonText(check), number(check.fraction * 100.0, 0)) : reasonText(check);
-}
-
-QString motionCheckTextFromWords(const QString& words) {
-    const auto place = placeIn(words);
-    const QString reason = reasonTextFromWords(place.hasMatch() ? place.captured(1) : words);
-    if (reason.isEmpty()) {
-        return words;
-    }
-    return place.hasMatch() ? withPlace(reason, place.captured(2)) : reason;
-}
-
-bool liesAlongPath(const QString& words) {
-    return placeIn(words).hasMatch();
 }
 
 } // namespace hexapose

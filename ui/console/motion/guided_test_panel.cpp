@@ -83,7 +83,7 @@ void GuidedTestPanel::add(const Snapshot& snapshot) {
     const GuidedTest::Step before = m_test->step();
     const auto due = m_test->add(snapshot);
     if (m_test->step() == GuidedTest::Step::Failed) {
-        const Event cause = m_test->failure().value_or(Event{EventCode::NotSettled, 0.0, {}});
+        const Event cause = m_test->failure().value_or(Event{EventCode::NotSettled});
         end([cause] { return tr("Ended early: %1").arg(eventText(cause).cause); });
     } else if (m_test->step() == GuidedTest::Step::Done) {
         const int measurements = m_test->result()->sample.measurements;

@@ -115,7 +115,7 @@ void WayPointsPanel::add(const Snapshot& snapshot) {
     const PoseSequence::Phase phase = m_sequence->phase();
     if (phase == PoseSequence::Phase::Failed) {
         const QString row = QString::number(visited() + 1);
-        const Event cause = m_sequence->failure().value_or(Event{EventCode::NotSettled, 0.0, {}});
+        const Event cause = m_sequence->failure().value_or(Event{EventCode::NotSettled});
         end([row, cause] { return tr("Ended at way-point %1: %2").arg(row, eventText(cause).cause); });
     } else if (phase == PoseSequence::Phase::Done) {
         const auto done = static_cast<int>(m_sequence->count());

@@ -90,7 +90,7 @@ void ReportPanel::takeSample(const SettledSample& sample) {
     m_samples.push_back(sample);
     rebuildReport();
     const int number = sampleCount();
-    emit noted([number] { return eventText({EventCode::ReportSample, static_cast<double>(number), {}}); });
+    emit noted([number] { return eventText({EventCode::ReportSample, static_cast<double>(number)}); });
     if (m_exportPending) {
         m_exportPending = false;
         write();

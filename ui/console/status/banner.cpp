@@ -5,6 +5,7 @@
 #include "core/base/number_text.h"
 #include "ui/common/card.h"
 #include "ui/common/read_out.h"
+#include "ui/console/events/payload_text.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
@@ -38,7 +39,7 @@ void Banner::showSnapshot(const Snapshot& snapshot, bool open) {
     m_open = open;
     for (const Event& event : snapshot.events) {
         if (event.code == EventCode::LinkLost || event.code == EventCode::LoopFailed) {
-            m_linkReason = QString::fromStdString(event.detail);
+            m_linkReason = payloadText(event.data);
         }
     }
     refresh();

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: MIT
 
-#include "core/record/event.h"
+#include "core/record/event_codec.h"
 
 #include "core/base/number_text.h"
+#include "core/record/event_payloads.h"
 
 #include <algorithm>
 #include <array>
@@ -12,50 +13,52 @@ namespace hexapose {
 
 namespace {
 
+using payload::Form;
+
 struct EventWord {
     EventCode code;
     std::string_view word;
-    bool carriesValue = false;
+    Form form = Form::None;
 };
 
 constexpr std::array<EventWord, 37> kEventWords{{
-    {EventCode::Connected, "connected"},
+    {EventCode::Connected, "connected", Form::Text},
     {EventCode::ListenOnly, "listen-only"},
-    {EventCode::LinkLost, "link-lost"},
-    {EventCode::DataStale, "data-stale", true},
+    {EventCode::LinkLost, "link-lost", Form::Port},
+    {EventCode::DataStale, "data-stale", Form::Number},
     {EventCode::DataFresh, "data-fresh"},
     {EventCode::Referencing, "referencing"},
     {EventCode::Referenced, "referenced"},
     {EventCode::Enabled, "enabled"},
     {EventCode::Disabled, "disabled"},
-    {EventCode::MoveStarted, "move-started", true},
-    {EventCode::MoveRefused, "move-refused"},
-    {EventCode::Settled, "settled", true},
-    {EventCode::NotSettled, "not-settled", true},
-    {EventCode::StopRequested, "stop-requested"},
-    {EventCode::StoppedByController, "stopped-by-controller"},
+    {EventCode::MoveStarted, "move-started", Form::Number},
+    {EventCode::MoveRefused, "move-refused", Form::MoveRefusal},
+    {EventCode::Settled, "settled", Form::Number},
+    {EventCode::NotSettled, "not-settled", Form::Number},
+    {EventCode::StopRequested, "stop-requested", Form::Command},
+    {EventCode::StoppedByController, "stopped-by-controller", Form::ControllerState},
     {EventCode::StoppedOnStaleData, "stopped-on-stale-data"},
-    {EventCode::StoppedOnSolver, "stopped-on-solver"},
-    {EventCode::StoppedOnRefusal, "stopped-on-refusal"},
+    {EventCode::StoppedOnSolver, "stopped-on-solver", Form::SolveStatus},
+    {EventCode::StoppedOnRefusal, "stopped-on-refusal", Form::Refusal},
     {EventCode::Cleared, "cleared"},
-    {EventCode::ControllerRefused, "controller-refused"},
-    {EventCode::ControllerFault, "controller-fault"},
-    {EventCode::NoAnswer, "no-answer"},
+    {EventCode::ControllerRefused, "controller-refused", Form::Refusal},
+    {EventCode::ControllerFault, "controller-fault", Form::Text},
+    {EventCode::NoAnswer, "no-answer", Form::Request},
     {EventCode::ClockWentBack, "clock-went-back"},
-    {EventCode::CommandRefused, "command-refused"},
-    {EventCode::ReportSample, "report-sample", true},
-    {EventCode::LogFailed, "log-failed"},
-    {EventCode::LoopFailed, "loop-failed"},
-    {EventCode::PreparationFailed, "preparation-failed"},
-    {EventCode::StoppedOnFollowingError, "stopped-on-following-error"},
-    {EventCode::StoppedOnNoEcho, "stopped-on-no-echo", true},
-    {EventCode::StoppedOnLimits, "stopped-on-limits"},
-    {EventCode::StoppedOnNewIdentity, "stopped-on-new-identity"},
+    {EventCode::CommandRefused, "command-refused", Form::CommandRefusal},
+    {EventCode::ReportSample, "report-sample", Form::Number},
+    {EventCode::LogFailed, "log-failed", Form::LogFailure},
+    {EventCode::LoopFailed, "loop-failed", Form::Text},
+    {EventCode::PreparationFailed, "preparation-failed", Form::Preparation},
+    {EventCode::StoppedOnFollowingError, "stopped-on-following-error", Form::FollowingError},
+    {EventCode::StoppedOnNoEcho, "stopped-on-no-echo", Form::Number},
+    {EventCode::StoppedOnLimits, "stopped-on-limits", Form::MotionCheck},
+    {EventCode::StoppedOnNewIdentity, "stopped-on-new-identity", Form::Identity},
     {EventCode::StoppedAfterLoss, "stopped-after-loss"},
     {EventCode::DisableUnconfirmed, "disable-unconfirmed"},
     {EventCode::JogStarted, "jog-started"},
-    {EventCode::JogLimited, "jog-limited"},
-    {EventCode::SolverChanged, "solver-changed"},
+    {EventCode::JogLimited, "jog-limited", Form::MotionCheck},
+    {EventCode::SolverChanged, "solver-changed", Form::Solver},
 }};
 // One word for every code, in the order of the codes: a code without its word does not compile.
 static_assert([] {
@@ -66,30 +69,6 @@ static_assert([] {
 }());
 
 constexpr std::string_view kSeparator = "; ";
-
-std::string_view takeToken(std::string_view& text) {
-    const std::size_t end = std::min(text.find(' '), text.size());
-    const std::string_view token = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    return token;
-}
-
-/// One event of a field; nothing when it does not begin with a known word.
-std::optional<Event> parseEvent(std::string_view text) {
-    const std::optional<EventCode> code = eventCodeFromWord(takeToken(text));
-    if (!code)
-        return std::nullopt;
-    Event event{*code, 0.0, {}};
-    if (kEventWords[static_cast<std::size_t>(*code)].carriesValue) {
-        std::string_view rest = text;
-        if (const std::optional<double> value = parseNumber(takeToken(rest))) {
-            event.value = *value;
-            text = rest;
-        }
-    }
-    event.detail = text;
-    return event;
-}
 
 } // namespace
 
@@ -104,18 +83,28 @@ std::optional<EventCode> eventCodeFromWord(std::string_view word) {
     return found == kEventWords.end() ? std::nullopt : std::optional(found->code);
 }
 
+std::string payloadWords(const Event& event) {
+    std::string words = payload::toWords(event.data);
+    // A payload may come from a controller; a row of the log stays one line whatever it says.
+    std::replace_if(
+        words.begin(), words.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
+    return words;
+}
+
 std::string formatEvent(const Event& event) {
     std::string text(toWord(event.code));
-    const auto index = static_cast<std::size_t>(event.code);
-    if (index < kEventWords.size() && kEventWords[index].carriesValue)
-        text += ' ' + formatNumber(event.value);
-    if (!event.detail.empty()) {
-        text += ' ' + event.detail;
-        // A detail may come from a controller; a row of the log stays one line whatever it says.
-        std::replace_if(
-            text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }, ' ');
-    }
+    if (const std::string words = payloadWords(event); !words.empty())
+        text += ' ' + words;
     return text;
+}
+
+std::optional<Event> parseEvent(std::string_view text) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    const std::optional<EventCode> code = eventCodeFromWord(text.substr(0, end));
+    if (!code)
+        return std::nullopt;
+    const std::string_view words = text.substr(std::min(end + 1, text.size()));
+    return Event{*code, payload::fromWords(kEventWords[static_cast<std::size_t>(*code)].form, words)};
 }
 
 std::string formatEvents(const std::vector<Event>& events) {
@@ -129,16 +118,19 @@ std::string formatEvents(const std::vector<Event>& events) {
 }
 
 std::vector<Event> parseEvents(std::string_view field) {
-    std::vector<Event> events;
+    std::vector<std::string> texts;
     while (!field.empty()) {
         const std::size_t end = std::min(field.find(kSeparator), field.size());
         const std::string_view piece = field.substr(0, end);
         field.remove_prefix(std::min(end + kSeparator.size(), field.size()));
-        if (std::optional<Event> event = parseEvent(piece))
-            events.push_back(std::move(*event));
-        else if (!events.empty())
-            events.back().detail.append(kSeparator).append(piece);
+        if (eventCodeFromWord(piece.substr(0, piece.find(' '))))
+            texts.emplace_back(piece);
+        else if (!texts.empty())
+            texts.back().append(kSeparator).append(piece);
     }
+    std::vector<Event> events;
+    for (const std::string& text : texts)
+        events.push_back(*parseEvent(text));
     return events;
 }
 

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: MIT
+
+#include "core/machine/planner.h"
+
+#include <utility>
+
+namespace hexapose {
+
+namespace {
+
+std::shared_ptr<const PlannedMotion> planOf(const PlatformGeometry& geometry, const PlanJob& job) {
+    return std::make_shared<const PlannedMotion>(
+        planMotion(geometry, job.bounds, job.limits, job.strokeSlack, job.start, job.request));
+}
+
+} // namespace
+
+void ImmediatePlanner::submit(const PlanJob& job) {
+    m_plan = planOf(m_geometry, job);
+}
+
+std::shared_ptr<const PlannedMotion> ImmediatePlanner::take() {
+    return std::exchange(m_plan, nullptr);
+}
+
+PlanningThread::PlanningThread(const PlatformGeometry& geometry)
+    : m_geometry(geometry), m_thread([this](const std::stop_token& stop) { run(stop); }) {}
+
+void PlanningThread::submit(const PlanJob& job) {
+    {
+        const std::lock_guard lock(m_mutex);
+        m_job = job;
+        m_plan.reset();
+    }
+    m_changed.notify_one();
+}
+
+std::shared_ptr<const PlannedMotion> PlanningThread::take() {
+    const std::lock_guard lock(m_mutex);
+    return std::exchange(m_plan, nullptr);
+}
+
+void PlanningThread::run(const std::stop_token& stop) {
+    std::unique_lock lock(m_mutex);
+    while (m_changed.wait(lock, stop, [this] { return m_job.has_value(); })) {
+        const PlanJob job = *std::exchange(m_job, std::nullopt);
+        lock.unlock();
+        std::shared_ptr<const PlannedMotion> plan = planOf(m_geometry, job);
+        lock.lock();
+        if (!m_job) // else a newer job has replaced this one
+            m_plan = std::move(plan);
+    }
+}
+
+} // namespace hexapose

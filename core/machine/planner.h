@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/geometry/platform_geometry.h"
+#include "core/motion/motion_planner.h"
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+namespace hexapose {
+
+/// What is to be planned.
+struct PlanJob {
+    MotionRequest request;
+    PlanStart start;
+    MotionLimits limits;
+    MotionBounds bounds;
+    double strokeSlack = 0.0; ///< m, see planMotion()
+};
+
+/// Plans one motion at a time for the loop, which never plans itself.
+class Planner {
+public:
+    virtual ~Planner() = default;
+    /// A job that is still being worked on is forgotten.
+    virtual void submit(const PlanJob& job) = 0;
+    /// The plan of the last job, once; null while it is not there.
+    virtual std::shared_ptr<const PlannedMotion> take() = 0;
+};
+
+/// Plans at once, on the caller's thread: for a loop in a time of its own, which waits for nobody.
+class ImmediatePlanner final : public Planner {
+public:
+    explicit ImmediatePlanner(const PlatformGeometry& geometry) : m_geometry(geometry) {}
+    void submit(const PlanJob& job) override;
+    std::shared_ptr<const PlannedMotion> take() override;
+
+private:
+    PlatformGeometry m_geometry;
+    std::shared_ptr<const PlannedMotion> m_plan;
+};
+
+/// Plans on a thread of its own.
+class PlanningThread final : public Planner {
+public:
+    explicit PlanningThread(const PlatformGeometry& geometry);
+    void submit(const PlanJob& job) override;
+    std::shared_ptr<const PlannedMotion> take() override;
+
+private:
+    void run(const std::stop_token& stop);
+
+    PlatformGeometry m_geometry;
+    std::mutex m_mutex;
+    std::condition_variable_any m_changed;
+    std::optional<PlanJob> m_job;
+    std::shared_ptr<const PlannedMotion> m_plan;
+    std::jthread m_thread; ///< last: it ends first
+};
+
+} // namespace hexapose
