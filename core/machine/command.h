@@ -4,8 +4,8 @@
 
 #include "core/geometry/pose.h"
 #include "core/motion/jog.h"
+#include "core/motion/motion_mode.h"
 #include "core/motion/sine_sweep.h"
-#include "core/record/motion_mode.h"
 
 #include <variant>
 

@@ -66,6 +66,12 @@ std::string reasonWords(const MotionCheck& check) {
         return leg + " too fast";
     case MotionCheck::Reason::LegAcceleration:
         return leg + " accelerated too hard";
+    case MotionCheck::Reason::PlanTooLong:
+        return "too long to plan";
+    case MotionCheck::Reason::StartMoved:
+        return "start moved";
+    case MotionCheck::Reason::LimitsChanged:
+        return "limits changed";
     }
     return "";
 }

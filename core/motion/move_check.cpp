@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: MIT
 
-// Moves judged whole, before they start.
+#include "core/motion/move_check.h"
 
 #include "core/geometry/singular_values.h"
 #include "core/kinematics/inverse_kinematics.h"
 #include "core/kinematics/jacobian.h"
 #include "core/kinematics/leg_equations.h"
 #include "core/kinematics/newton/newton_raphson.h"
-#include "core/motion/limits.h"
 
 #include <Eigen/LU>
 
@@ -47,6 +46,15 @@ MotionCheck alongPath(MotionCheck::Reason reason, double fraction, double value,
     check.value = value;
     check.bound = bound;
     return check;
+}
+
+bool expired(PlanTimer* timer) {
+    return timer && timer->expired();
+}
+
+/// The time is up after this fraction of the path.
+MotionCheck tooLong(double fraction) {
+    return alongPath(MotionCheck::Reason::PlanTooLong, fraction, 0.0, 0.0);
 }
 
 /// The scaled Jacobian at a pose, and what it says.
@@ -89,8 +97,9 @@ bool holdsFor(const JacobianAt& at, double change, double margin) {
 /// One motion under judgement.
 class MotionChecker {
 public:
-    MotionChecker(const PlatformGeometry& geometry, const MotionLimits& limits, const PoseMotion& motion)
-        : m_geometry(geometry), m_limits(limits), m_motion(motion), m_equations(geometry),
+    MotionChecker(const PlatformGeometry& geometry, const MotionLimits& limits, const PoseMotion& motion,
+                  PlanTimer* timer)
+        : m_geometry(geometry), m_limits(limits), m_motion(motion), m_timer(timer), m_equations(geometry),
           m_homeDeterminant(JacobianAt(m_equations, Pose{}).determinant()) {
         double reach = 0.0;
         for (const Leg& leg : geometry.legs)
@@ -174,6 +183,8 @@ private:
     }
 
     MotionCheck judgePart(const Sample& a, const Sample& b) const {
+        if (expired(m_timer))
+            return tooLong(fraction(a.time));
         const bool holds = strokesHold(a, b) && marginHolds(a, b);
         if (holds || m_legSpeedBound * (b.time - a.time) <= kResolution * m_geometry.size())
             return judgeSample(b);
@@ -204,6 +215,7 @@ private:
     const PlatformGeometry& m_geometry;
     const MotionLimits& m_limits;
     const PoseMotion& m_motion;
+    PlanTimer* m_timer; ///< null: no hurry
     LegEquations m_equations;
     double m_homeDeterminant;
     double m_legSpeedBound;     ///< m/s: no leg changes faster
@@ -213,7 +225,7 @@ private:
 } // namespace
 
 MotionCheck checkLegPath(const PlatformGeometry& geometry, const MotionLimits& limits, const Pose& from,
-                         const Pose& to) {
+                         const Pose& to, PlanTimer* timer) {
     const MotionCheck target = checkPose(geometry, limits, to);
     if (!target.ok())
         return target;
@@ -231,6 +243,8 @@ MotionCheck checkLegPath(const PlatformGeometry& geometry, const MotionLimits& l
     double done = 0.0;
     double step = kFirstStep;
     while (done < 1.0) {
+        if (expired(timer))
+            return tooLong(done);
         step = std::min(step, 1.0 - done);
         while (step > kShortestStep && !holdsFor(here, step * length, limits.singularityMargin))
             step *= 0.5;
@@ -257,11 +271,11 @@ MotionCheck checkLegPath(const PlatformGeometry& geometry, const MotionLimits& l
 }
 
 MotionCheck checkMotion(const PlatformGeometry& geometry, const MotionLimits& limits,
-                        const PoseMotion& motion) {
+                        const PoseMotion& motion, PlanTimer* timer) {
     if (!motion.at(0.0).pose.isFinite() || !motion.at(motion.duration()).pose.isFinite() ||
         !std::isfinite(motion.duration()))
         return because(MotionCheck::Reason::NotFinite);
-    return MotionChecker(geometry, limits, motion).judge();
+    return MotionChecker(geometry, limits, motion, timer).judge();
 }
 
 } // namespace hexapose

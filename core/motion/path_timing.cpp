@@ -99,7 +99,8 @@ bool keepsLimits(const State& state, const PathBounds& bounds, const RateCap& ca
 
 } // namespace
 
-PathTiming::PathTiming(const PathBounds& bounds, const std::function<double(double)>& largestRate) {
+PathTiming::PathTiming(const PathBounds& bounds, const std::function<double(double)>& largestRate,
+                       PlanTimer* timer) {
     const RateCap cap(bounds.rate, largestRate);
     const double whole =
         1.0 / cap.least() + cap.least() / bounds.acceleration + bounds.acceleration / bounds.jerk;
@@ -112,6 +113,8 @@ PathTiming::PathTiming(const PathBounds& bounds, const std::function<double(doub
         time += seconds;
     };
     for (int k = 0; k < kMostSteps; ++k) {
+        if (timer && timer->expired())
+            return;
         const Braking braking(state, bounds);
         if (k > 0 && braking.at(state, braking.duration()).s >= 1.0 - kEndTolerance)
             break;
@@ -139,6 +142,13 @@ PathTiming::PathTiming(const PathBounds& bounds, const std::function<double(doub
         piece.state.acceleration *= stretch;
         piece.jerk *= stretch;
     }
+}
+
+std::optional<PathTiming> PathTiming::plan(const PathBounds& bounds,
+                                           const std::function<double(double)>& largestRate,
+                                           PlanTimer& timer) {
+    PathTiming timing(bounds, largestRate, &timer);
+    return timer.expired() ? std::nullopt : std::optional(std::move(timing));
 }
 
 PathTiming::State PathTiming::at(double seconds) const {

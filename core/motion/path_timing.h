@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/motion/plan_budget.h"
+
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace hexapose {
@@ -27,12 +30,18 @@ public:
     };
 
     /// largestRate(s) limits the rate besides `bounds`; above zero for s in [0, 1].
-    PathTiming(const PathBounds& bounds, const std::function<double(double)>& largestRate);
+    PathTiming(const PathBounds& bounds, const std::function<double(double)>& largestRate)
+        : PathTiming(bounds, largestRate, nullptr) {}
+    /// The same, or nothing when the time is up before it is done.
+    static std::optional<PathTiming> plan(const PathBounds& bounds,
+                                          const std::function<double(double)>& largestRate, PlanTimer& timer);
 
     double duration() const { return m_duration; } ///< s
     State at(double seconds) const; ///< at rest at the start before 0, at the end after the end
 
 private:
+    PathTiming(const PathBounds& bounds, const std::function<double(double)>& largestRate, PlanTimer* timer);
+
     struct Piece { ///< constant jerk
         double begin;
         State state;

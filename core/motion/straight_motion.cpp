@@ -24,7 +24,8 @@ double share(double limit, double length) {
 }
 
 /// Largest acceleration of any leg over the motion.
-double largestLegAcceleration(const PlatformGeometry& geometry, const StraightMotion& motion) {
+double largestLegAcceleration(const PlatformGeometry& geometry, const StraightMotion& motion,
+                              PlanTimer* timer) {
     const double duration = motion.duration();
     const double step = duration / kLegSamples;
     const auto rates = [&](double t) {
@@ -33,7 +34,7 @@ double largestLegAcceleration(const PlatformGeometry& geometry, const StraightMo
     };
     LegLengths before = rates(0.0);
     double largest = 0.0;
-    for (int k = 1; k <= kLegSamples; ++k) {
+    for (int k = 1; k <= kLegSamples && !(timer && timer->expired()); ++k) {
         const LegLengths now = rates(k * step);
         largest = std::max(largest, (now - before).cwiseAbs().maxCoeff() / step);
         before = now;
@@ -44,7 +45,7 @@ double largestLegAcceleration(const PlatformGeometry& geometry, const StraightMo
 } // namespace
 
 StraightMotion::StraightMotion(const PlatformGeometry& geometry, const Pose& from, const Pose& to,
-                               const MotionBounds& bounds)
+                               const MotionBounds& bounds, PlanTimer* timer)
     : m_from(from), m_to(to), m_displacement(displacement(from, to)) {
     const double length = m_displacement.head<3>().norm();
     const double turn = m_displacement.tail<3>().norm();
@@ -60,8 +61,11 @@ StraightMotion::StraightMotion(const PlatformGeometry& geometry, const Pose& fro
     };
     // Where the legs would be accelerated too hard all of the motion is slowed down.
     for (int plan = 0; plan < kReplans; ++plan) {
-        m_timing.emplace(path, largestRate);
-        const double excess = largestLegAcceleration(geometry, *this) / bounds.legAcceleration;
+        if (!timer)
+            m_timing.emplace(path, largestRate);
+        else if (m_timing = PathTiming::plan(path, largestRate, *timer); !m_timing)
+            return;
+        const double excess = largestLegAcceleration(geometry, *this, timer) / bounds.legAcceleration;
         if (excess <= 1.0)
             break;
         const double slower = kMargin / std::sqrt(excess);
@@ -72,6 +76,13 @@ StraightMotion::StraightMotion(const PlatformGeometry& geometry, const Pose& fro
     m_fastestRate = path.rate;
     for (int k = 0; k <= kLegSamples; ++k)
         m_fastestRate = std::max(m_fastestRate, m_timing->at(duration() * k / kLegSamples).rate);
+}
+
+std::optional<StraightMotion> StraightMotion::plan(const PlatformGeometry& geometry, const Pose& from,
+                                                   const Pose& to, const MotionBounds& bounds,
+                                                   PlanTimer& timer) {
+    StraightMotion motion(geometry, from, to, bounds, &timer);
+    return timer.expired() ? std::nullopt : std::optional(std::move(motion));
 }
 
 PoseReference StraightMotion::at(double seconds) const {

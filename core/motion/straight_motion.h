@@ -15,7 +15,11 @@ class StraightMotion final : public PoseMotion {
 public:
     /// bounds: complete ones. Both poses finite. Of no length: a motion that is over at once.
     StraightMotion(const PlatformGeometry& geometry, const Pose& from, const Pose& to,
-                   const MotionBounds& bounds);
+                   const MotionBounds& bounds)
+        : StraightMotion(geometry, from, to, bounds, nullptr) {}
+    /// The same, or nothing when the time is up before it is done.
+    static std::optional<StraightMotion> plan(const PlatformGeometry& geometry, const Pose& from,
+                                              const Pose& to, const MotionBounds& bounds, PlanTimer& timer);
 
     PoseReference at(double seconds) const override;
     double duration() const override { return m_timing ? m_timing->duration() : 0.0; }
@@ -26,6 +30,9 @@ public:
     const Twist& way() const { return m_displacement; } ///< the whole displacement
 
 private:
+    StraightMotion(const PlatformGeometry& geometry, const Pose& from, const Pose& to,
+                   const MotionBounds& bounds, PlanTimer* timer);
+
     Pose m_from;
     Pose m_to;
     Twist m_displacement;

@@ -6,8 +6,8 @@
 #include "core/geometry/leg_lengths.h"
 #include "core/geometry/pose.h"
 #include "core/kinematics/forward_solver.h"
+#include "core/motion/motion_mode.h"
 #include "core/record/event.h"
-#include "core/record/motion_mode.h"
 #include "core/record/run_state.h"
 
 #include <chrono>

@@ -4,9 +4,9 @@
 
 #include "core/geometry/leg_lengths.h"
 #include "core/motion/limits.h"
+#include "core/motion/motion_mode.h"
 #include "core/motion/pose_motion.h"
 #include "core/record/event.h"
-#include "core/record/motion_mode.h"
 
 #include <optional>
 

@@ -52,7 +52,7 @@ const std::vector<Layer>& layers() {
         {"core/device/line", {"core/base", "core/geometry", "core/device"}},
         {"core/device/simulation", {"core/base", "core/geometry", "core/device", "core/device/line"}},
         {"core/device/serial", {"core/base", "core/geometry", "core/device"}, withQt},
-        {"core/record", join(kinematics, {"core/device"})},
+        {"core/record", join(kinematics, {"core/device", "core/motion/motion_mode.h"})},
         {"core/motion", kinematics},
         {"core/tracking", join(kinematics, {"core/record", "core/motion"})},
         {"core/machine", join(kinematics, {"core/device", "core/record", "core/motion", "core/tracking"})},

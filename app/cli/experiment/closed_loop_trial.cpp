@@ -7,6 +7,7 @@
 #include "core/base/units.h"
 #include "core/device/simulation/simulated_machine.h"
 #include "core/kinematics/newton/newton_raphson.h"
+#include "core/motion/move_check.h"
 #include "core/motion/straight_motion.h"
 
 #include <algorithm>

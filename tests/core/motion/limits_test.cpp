@@ -4,6 +4,7 @@
 #include "core/motion/limits.h"
 
 #include "core/kinematics/inverse_kinematics.h"
+#include "core/motion/move_check.h"
 #include "tests/core/motion/poses.h"
 
 #include <gtest/gtest.h>

@@ -7,6 +7,7 @@
 #include "core/kinematics/jacobian.h"
 #include "core/kinematics/singularity.h"
 #include "core/motion/limits.h"
+#include "core/motion/move_check.h"
 #include "core/motion/sine_sweep.h"
 #include "core/motion/straight_motion.h"
 #include "tests/core/motion/poses.h"

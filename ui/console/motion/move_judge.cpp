@@ -3,6 +3,7 @@
 #include "ui/console/motion/move_judge.h"
 
 #include "core/kinematics/inverse_kinematics.h"
+#include "core/motion/move_check.h"
 #include "core/motion/straight_motion.h"
 
 namespace hexapose {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: MIT
 
-#include "core/record/motion_mode.h"
+#include "core/motion/motion_mode.h"
 
 namespace hexapose {
 

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: MIT
+
+#include "core/motion/motion_planner.h"
+
+#include "core/geometry/twist.h"
+#include "core/kinematics/inverse_kinematics.h"
+#include "core/motion/leg_trajectory.h"
+#include "core/motion/move_check.h"
+#include "core/motion/straight_motion.h"
+
+#include <chrono>
+#include <cmath>
+
+namespace hexapose {
+
+namespace {
+
+MotionCheck failed(MotionCheck::Reason reason, double value = 0.0, double bound = 0.0) {
+    MotionCheck check;
+    check.reason = reason;
+    check.value = value;
+    check.bound = bound;
+    return check;
+}
+
+/// The motion of a request in the workspace, or nothing when the time is up.
+std::shared_ptr<const PoseMotion> makeMotion(const PlatformGeometry& geometry, const MotionBounds& bounds,
+                                             const Pose& from, const MotionRequest& request,
+                                             PlanTimer& timer) {
+    if (const auto* sweep = std::get_if<SweepSettings>(&request))
+        return std::make_shared<SineSweep>(from, *sweep);
+    const auto& move = std::get<StraightMove>(request);
+    if (auto motion = StraightMotion::plan(geometry, from, move.target, bounds, timer))
+        return std::make_shared<StraightMotion>(std::move(*motion));
+    return nullptr;
+}
+
+void planJointMotion(PlannedMotion& planned, const PlatformGeometry& geometry, const MotionBounds& bounds,
+                     const Pose& target, PlanTimer& timer) {
+    planned.check = checkLegPath(geometry, planned.limits, planned.start.pose, target, &timer);
+    if (!planned.check.ok())
+        return;
+    planned.endLengths = legLengths(geometry, target);
+    const LegTrajectory trajectory(planned.start.setPoint, planned.endLengths, bounds.legSpeed);
+    planned.duration = std::chrono::duration<double>(trajectory.duration()).count();
+}
+
+void planWorkspaceMotion(PlannedMotion& planned, const PlatformGeometry& geometry, const MotionBounds& bounds,
+                         double strokeSlack, PlanTimer& timer) {
+    planned.motion = makeMotion(geometry, bounds, planned.start.pose, planned.request, timer);
+    if (!planned.motion) {
+        planned.check = failed(MotionCheck::Reason::PlanTooLong);
+        planned.check.fraction = 0.0;
+        return;
+    }
+    const MotionLimits along =
+        limitsFrom(planned.limits, legLengths(geometry, planned.start.pose), strokeSlack);
+    planned.check = checkMotion(geometry, along, *planned.motion, &timer);
+    planned.endLengths = legLengths(geometry, planned.endPose());
+    planned.duration = planned.motion->duration();
+}
+
+} // namespace
+
+MotionMode PlannedMotion::mode() const {
+    const auto* move = std::get_if<StraightMove>(&request);
+    return move ? move->mode : MotionMode::Workspace;
+}
+
+Pose PlannedMotion::endPose() const {
+    const auto* move = std::get_if<StraightMove>(&request);
+    return move ? move->target : start.pose;
+}
+
+PlannedMotion planMotion(const PlatformGeometry& geometry, const MotionBounds& bounds,
+                         const MotionLimits& limits, double strokeSlack, const PlanStart& start,
+                         const MotionRequest& request, const PlanBudget& budget) {
+    PlannedMotion planned;
+    planned.request = request;
+    planned.start = start;
+    planned.limits = limits;
+    const auto* move = std::get_if<StraightMove>(&request);
+    const auto* sweep = std::get_if<SweepSettings>(&request);
+    if (move) { // a target that cannot be is not worth a plan
+        planned.check = checkPose(geometry, limits, move->target);
+        if (!planned.check.ok())
+            return planned;
+    }
+    if (!start.pose.isFinite() || !start.setPoint.allFinite() || (sweep && faultOf(*sweep))) {
+        planned.check = failed(MotionCheck::Reason::NotFinite);
+        return planned;
+    }
+    PlanTimer timer(budget);
+    if (planned.mode() == MotionMode::Joint)
+        planJointMotion(planned, geometry, bounds, move->target, timer);
+    else
+        planWorkspaceMotion(planned, geometry, bounds, strokeSlack, timer);
+    return planned;
+}
+
+MotionCheck checkStart(const PlannedMotion& planned, const PlanStart& now, const MotionLimits& limitsNow,
+                       double distance, double angle) {
+    if (!planned.check.ok())
+        return planned.check;
+    if (!(planned.limits == limitsNow))
+        return failed(MotionCheck::Reason::LimitsChanged);
+    int leg = 0;
+    const double legMoved = (now.setPoint - planned.start.setPoint).cwiseAbs().maxCoeff(&leg);
+    if (!(legMoved <= distance)) {
+        MotionCheck check = failed(MotionCheck::Reason::StartMoved, legMoved, distance);
+        check.leg = leg + 1;
+        return check;
+    }
+    const Twist moved = displacement(planned.start.pose, now.pose);
+    if (const double shift = moved.head<3>().norm(); !(shift <= distance))
+        return failed(MotionCheck::Reason::StartMoved, shift, distance);
+    if (const double turn = moved.tail<3>().norm(); !(turn <= angle))
+        return failed(MotionCheck::Reason::StartMoved, turn, angle);
+    return {};
+}
+
+} // namespace hexapose

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Hexapose authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/motion/limits.h"
+#include "core/motion/motion_check.h"
+#include "core/motion/motion_mode.h"
+#include "core/motion/plan_budget.h"
+#include "core/motion/pose_motion.h"
+#include "core/motion/sine_sweep.h"
+
+#include <memory>
+#include <variant>
+
+namespace hexapose {
+
+/// To a pose: on straight leg paths in joint mode, on a straight line in workspace mode.
+struct StraightMove {
+    Pose target;
+    MotionMode mode = MotionMode::Joint;
+};
+
+/// What can be planned. A sweep is about the pose where it starts, in workspace mode.
+using MotionRequest = std::variant<StraightMove, SweepSettings>;
+
+/// Where a motion starts.
+struct PlanStart {
+    LegLengths setPoint = LegLengths::Zero(); ///< in force, m
+    Pose pose;                                ///< measured: of P from home, base frame, m and rad
+};
+
+/// A motion that was planned and checked whole. A value: nothing changes it afterwards.
+struct PlannedMotion {
+    MotionCheck check; ///< unless it is ok, what follows the limits means nothing
+    MotionRequest request;
+    PlanStart start;
+    MotionLimits limits;
+    std::shared_ptr<const PoseMotion> motion;   ///< workspace mode; null in joint mode
+    LegLengths endLengths = LegLengths::Zero(); ///< at the pose where the motion ends, m
+    double duration = 0.0;                      ///< at full speed, s
+
+    MotionMode mode() const;
+    /// The target, or the centre of a sweep.
+    Pose endPose() const;
+};
+
+/// Plans and checks a motion. strokeSlack: a leg that starts beyond an end of its stroke by no more than this
+/// may be there, m. A plan that takes longer than the budget is refused with PlanTooLong and the fraction of
+/// the path that was checked. Deterministic, but for that; may be called from any thread.
+PlannedMotion planMotion(const PlatformGeometry& geometry, const MotionBounds& bounds,
+                         const MotionLimits& limits, double strokeSlack, const PlanStart& start,
+                         const MotionRequest& request, const PlanBudget& budget = {});
+
+/// Whether a plan can be begun from here and under these limits: its own check where that is not ok,
+/// LimitsChanged where the limits are other ones, StartMoved where a leg's set-point or P is further from the
+/// planned start than `distance` (m), or the platform turned by more than `angle` (rad) from it. Takes no
+/// longer for a long motion.
+MotionCheck checkStart(const PlannedMotion& planned, const PlanStart& now, const MotionLimits& limitsNow,
+                       double distance, double angle);
+
+} // namespace hexapose
