@@ -5,7 +5,8 @@
 
 #include "core/kinematics/inverse_kinematics.h"
 #include "core/machine/control_loop_impl.h"
-#include "core/motion/move_check.h"
+#include "core/motion/leg_path_check.h"
+#include "core/motion/pose_motion_check.h"
 #include "core/motion/straight_motion.h"
 #include "core/tracking/joint_motion.h"
 #include "core/tracking/workspace_motion.h"
