@@ -138,6 +138,8 @@ bool keepsLimits(const State& state, const PathBounds& bounds, const RateCap& ca
         return false;
     for (int k = 1; k < kBrakeSamples; ++k) {
         const State later = braking.at(state, duration * k / kBrakeSamples);
+        if (later.acceleration <= 0.0 && later.rate <= cap.least(later.s, rest.s))
+            return true; // it only falls from here on
         if (later.rate > cap.at(later.s) * kRoundOff)
             return false;
     }
@@ -169,8 +171,8 @@ PathTiming::PathTiming(const PathBounds& given, const std::function<double(doubl
         const Braking braking(m_end, bounds);
         if (k > 0 && braking.at(m_end, braking.duration()).s >= 1.0 - kEndTolerance)
             break;
-        double low = -bounds.jerk;
-        double high = bounds.jerk;
+        double low = std::max(-bounds.jerk, (-bounds.acceleration - m_end.acceleration) / step);
+        double high = std::min(bounds.jerk, (bounds.acceleration - m_end.acceleration) / step);
         if (keepsLimits(after(m_end, high, step), bounds, cap)) {
             low = high;
         } else {
