@@ -5,8 +5,9 @@
 
 #include "core/geometry/twist.h"
 #include "core/kinematics/inverse_kinematics.h"
+#include "core/motion/leg_path_check.h"
 #include "core/motion/leg_trajectory.h"
-#include "core/motion/move_check.h"
+#include "core/motion/pose_motion_check.h"
 #include "core/motion/straight_motion.h"
 
 #include <chrono>

@@ -17,10 +17,11 @@ struct PathBounds {
     double jerk = 0.0;
 };
 
-/// The maxSpeed way in time from s = 0 to s = 1, from rest to rest, under limits of rate, acceleration and
-/// jerk and a rate limit that depends on s. It takes at every instant the largest jerk after which the
-/// hardest braking still keeps every limit: where the rate limit is constant, that is the seven-piece
-/// profile.
+/// The fastest way in time from s = 0 to s = 1, from rest to rest, under limits of rate, acceleration and
+/// jerk and a rate limit that depends on s. Where that limit is nowhere below the other one it is the
+/// seven-piece profile. Elsewhere it takes at every instant the largest jerk after which the hardest braking
+/// still keeps every limit, in some thousand steps at most: on a path that takes hundreds of times as long as
+/// the acceleration does, the acceleration is slowed down to 1/500 of the path's time.
 class PathTiming {
 public:
     struct State {
@@ -29,7 +30,8 @@ public:
         double acceleration = 0.0; ///< 1/s^2
     };
 
-    /// largestRate(s) limits the rate besides `bounds`; above zero for s in [0, 1].
+    /// largestRate(s) limits the rate besides `bounds`; above zero for s in [0, 1]. Of bounds that are no
+    /// positive numbers: a path of infinite duration, at rest at its start.
     PathTiming(const PathBounds& bounds, const std::function<double(double)>& largestRate)
         : PathTiming(bounds, largestRate, nullptr) {}
     /// The same, or nothing when the time is up before it is done.
@@ -37,7 +39,9 @@ public:
                                           const std::function<double(double)>& largestRate, PlanTimer& timer);
 
     double duration() const { return m_duration; } ///< s
-    State at(double seconds) const; ///< at rest at the start before 0, at the end after the end
+    State at(double seconds) const;              ///< at rest at the start before 0, at the end after the end
+    double maxRate() const { return m_maxRate; } ///< reached at any time, 1/s
+    double maxAcceleration() const { return m_maxAcceleration; } ///< its magnitude, 1/s^2
 
 private:
     PathTiming(const PathBounds& bounds, const std::function<double(double)>& largestRate, PlanTimer* timer);
@@ -47,8 +51,15 @@ private:
         State state;
         double jerk;
     };
+    void add(double jerk, double seconds);
+    void addProfile(const PathBounds& bounds);
+    void finish();
+
     std::vector<Piece> m_pieces;
+    State m_end; ///< of the pieces so far
     double m_duration = 0.0;
+    double m_maxRate = 0.0;
+    double m_maxAcceleration = 0.0;
 };
 
 } // namespace hexapose

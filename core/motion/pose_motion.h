@@ -30,16 +30,23 @@ struct PoseReference {
     Twist twist = Twist::Zero(); ///< m/s and rad/s, base frame
 };
 
+/// Upper bounds, at any time of a motion, for a point C that is fixed to the platform and for its turning:
+/// magnitudes of vectors.
+struct RateBounds {
+    double speed = 0.0;               ///< of C, m/s
+    double acceleration = 0.0;        ///< of C, m/s^2
+    double angularSpeed = 0.0;        ///< rad/s
+    double angularAcceleration = 0.0; ///< rad/s^2
+};
+
 /// A motion in the workspace over its own time, from rest to rest. Immutable.
 class PoseMotion {
 public:
     virtual ~PoseMotion() = default;
     virtual PoseReference at(double seconds) const = 0; ///< before 0 as at 0, after the end as at the end
     virtual double duration() const = 0;                ///< s
-    /// Upper bound of |v| (m/s) and |omega| (rad/s) at any time: what lies between two samples is judged by
-    /// it.
-    virtual double maxSpeed() const = 0;
-    virtual double maxAngularSpeed() const = 0;
+    /// What lies between two samples of the motion is judged by these.
+    virtual RateBounds rateBounds(const Eigen::Vector3d& p_PC_P) const = 0;
 };
 
 } // namespace hexapose

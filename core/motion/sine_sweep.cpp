@@ -3,6 +3,8 @@
 
 #include "core/motion/sine_sweep.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -46,10 +48,26 @@ std::optional<SweepFault> faultOf(const SweepSettings& settings) {
 }
 
 SineSweep::SineSweep(const Pose& centre, const SweepSettings& settings)
-    : m_centre(centre), m_settings(settings),
-      // |(w sin)'| <= w' + w phase'; the envelope's steepest slope is 15/8 of its mean.
-      m_fastest(settings.amplitude * (1.875 / (kSwell * settings.seconds) +
-                                      2.0 * pi * std::max(settings.startFrequency, settings.endFrequency))) {}
+    : m_centre(centre), m_settings(settings) {
+    // The envelope w rises by at most 15/8 of its mean slope, and its slope by 10/sqrt(3) of that of a
+    // parabola.
+    const double swell = kSwell * settings.seconds;
+    const double w1 = 1.875 / swell, w2 = 5.7736 / (swell * swell);
+    const double phase1 = 2.0 * pi * std::max(settings.startFrequency, settings.endFrequency);
+    const double phase2 =
+        2.0 * pi * std::abs(settings.endFrequency - settings.startFrequency) / settings.seconds;
+    // (w sin)' = w' sin + w phase' cos, and so on
+    m_fastest = settings.amplitude * (w1 + phase1);
+    m_hardest = settings.amplitude * (w2 + 2.0 * w1 * phase1 + phase2 + phase1 * phase1);
+}
+
+RateBounds SineSweep::rateBounds(const Eigen::Vector3d& p_PC_P) const {
+    if (m_settings.axis < 3)
+        return {m_fastest, m_hardest, 0.0, 0.0};
+    const Eigen::Vector3d axis = Eigen::Vector3d::Unit(m_settings.axis - 3);
+    const double arm = axis.cross(rotationMatrix(m_centre.angles) * p_PC_P).norm();
+    return {arm * m_fastest, arm * (m_hardest + m_fastest * m_fastest), m_fastest, m_hardest};
+}
 
 PoseReference SineSweep::at(double seconds) const {
     const double T = m_settings.seconds;

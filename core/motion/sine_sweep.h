@@ -29,13 +29,13 @@ public:
 
     PoseReference at(double seconds) const override;
     double duration() const override { return m_settings.seconds; }
-    double maxSpeed() const override { return m_settings.axis < 3 ? m_fastest : 0.0; }
-    double maxAngularSpeed() const override { return m_settings.axis < 3 ? 0.0 : m_fastest; }
+    RateBounds rateBounds(const Eigen::Vector3d& p_PC_P) const override;
 
 private:
     Pose m_centre;
     SweepSettings m_settings;
-    double m_fastest;
+    double m_fastest; ///< of the swinging coordinate, m/s or rad/s
+    double m_hardest; ///< its acceleration, m/s^2 or rad/s^2
 };
 
 } // namespace hexapose

@@ -5,9 +5,13 @@
 
 #include "core/kinematics/jacobian.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace hexapose {
 
@@ -16,6 +20,7 @@ namespace {
 constexpr double kMargin = 0.995;   ///< of a limit that holds along the way: the plan is made of steps
 constexpr int kLegSamples = 200;    ///< of the legs' accelerations
 constexpr int kReplans = 8;         ///< for them
+constexpr double kRounding = 1e-14; ///< of a sum of lengths
 constexpr double kNoLength = 1e-12; ///< of the machine's size, and rad
 
 /// A limit of s from a limit of what grows by `length` over the whole way.
@@ -23,19 +28,34 @@ double share(double limit, double length) {
     return length > 0.0 ? limit / length : std::numeric_limits<double>::infinity();
 }
 
+/// What the legs do along the path: their lengths' derivatives by s, at even steps of s.
+class LegSlopes {
+public:
+    LegSlopes(const PlatformGeometry& geometry, const Pose& from, const Twist& displacement) {
+        for (std::size_t k = 0; k < m_slopes.size(); ++k) {
+            const Pose pose = displaced(from, static_cast<double>(k) / kSlopeSteps * displacement);
+            m_slopes[k] = geometricJacobian(geometry, pose) * displacement;
+        }
+    }
+    LegVector at(double s) const {
+        const double place = std::clamp(s, 0.0, 1.0) * kSlopeSteps;
+        const std::size_t low = std::min(static_cast<std::size_t>(place), m_slopes.size() - 2);
+        return m_slopes[low] + (place - static_cast<double>(low)) * (m_slopes[low + 1] - m_slopes[low]);
+    }
+
+private:
+    static constexpr int kSlopeSteps = 256;
+    std::array<LegVector, kSlopeSteps + 1> m_slopes;
+};
+
 /// Largest acceleration of any leg over the motion.
-double largestLegAcceleration(const PlatformGeometry& geometry, const StraightMotion& motion,
-                              PlanTimer* timer) {
-    const double duration = motion.duration();
-    const double step = duration / kLegSamples;
-    const auto rates = [&](double t) {
-        const PoseReference reference = motion.at(t);
-        return (geometricJacobian(geometry, reference.pose) * reference.twist).eval();
-    };
-    LegLengths before = rates(0.0);
+double largestLegAcceleration(const LegSlopes& slopes, const PathTiming& timing, PlanTimer* timer) {
+    const double step = timing.duration() / kLegSamples;
+    LegVector before = LegVector::Zero();
     double largest = 0.0;
     for (int k = 1; k <= kLegSamples && !(timer && timer->expired()); ++k) {
-        const LegLengths now = rates(k * step);
+        const PathTiming::State state = timing.at(k * step);
+        const LegVector now = state.rate * slopes.at(state.s);
         largest = std::max(largest, (now - before).cwiseAbs().maxCoeff() / step);
         before = now;
     }
@@ -55,17 +75,15 @@ StraightMotion::StraightMotion(const PlatformGeometry& geometry, const Pose& fro
                     std::min(share(bounds.acceleration, length), share(bounds.angularAcceleration, turn)),
                     std::min(share(bounds.jerk, length), share(bounds.angularJerk, turn))};
     double legSpeed = kMargin * bounds.legSpeed;
-    const auto largestRate = [&](double s) {
-        const Pose pose = displaced(m_from, s * m_displacement);
-        return share(legSpeed, (geometricJacobian(geometry, pose) * m_displacement).cwiseAbs().maxCoeff());
-    };
+    const LegSlopes slopes(geometry, from, m_displacement);
+    const auto largestRate = [&](double s) { return share(legSpeed, slopes.at(s).cwiseAbs().maxCoeff()); };
     // Where the legs would be accelerated too hard all of the motion is slowed down.
     for (int plan = 0; plan < kReplans; ++plan) {
         if (!timer)
             m_timing.emplace(path, largestRate);
         else if (m_timing = PathTiming::plan(path, largestRate, *timer); !m_timing)
             return;
-        const double excess = largestLegAcceleration(geometry, *this, timer) / bounds.legAcceleration;
+        const double excess = largestLegAcceleration(slopes, *m_timing, timer) / bounds.legAcceleration;
         if (excess <= 1.0)
             break;
         const double slower = kMargin / std::sqrt(excess);
@@ -73,9 +91,6 @@ StraightMotion::StraightMotion(const PlatformGeometry& geometry, const Pose& fro
                 path.jerk * slower * slower * slower};
         legSpeed *= slower;
     }
-    m_fastestRate = path.rate;
-    for (int k = 0; k <= kLegSamples; ++k)
-        m_fastestRate = std::max(m_fastestRate, m_timing->at(duration() * k / kLegSamples).rate);
 }
 
 std::optional<StraightMotion> StraightMotion::plan(const PlatformGeometry& geometry, const Pose& from,
@@ -83,6 +98,27 @@ std::optional<StraightMotion> StraightMotion::plan(const PlatformGeometry& geome
                                                    PlanTimer& timer) {
     StraightMotion motion(geometry, from, to, bounds, &timer);
     return timer.expired() ? std::nullopt : std::optional(std::move(motion));
+}
+
+RateBounds StraightMotion::rateBounds(const Eigen::Vector3d& p_PC_P) const {
+    if (!m_timing)
+        return {};
+    const Eigen::Vector3d along = m_displacement.head<3>(), turn = m_displacement.tail<3>();
+    const double angle = turn.norm();
+    // C goes by along + turned(s) per s: turned(s) rotates about `turn`, so the sum is longest at an end of
+    // the path, or where turned(s) points along `along` best.
+    const Eigen::Vector3d turned = turn.cross(rotationMatrix(m_from.angles) * p_PC_P);
+    double longest = std::max((along + turned).norm(), (along + rotationOf(turn) * turned).norm());
+    if (angle > 0.0) {
+        const double best = std::atan2(along.dot(turn.cross(turned)) / angle, along.dot(turned));
+        const double place = (best < 0.0 ? best + 2.0 * std::numbers::pi : best) / angle;
+        if (place < 1.0)
+            longest = std::max(longest, (along + rotationOf(place * turn) * turned).norm());
+    }
+    longest += kRounding * (along.norm() + turned.norm());
+    const double rate = m_timing->maxRate(), acceleration = m_timing->maxAcceleration();
+    return {rate * longest, acceleration * longest + rate * rate * angle * turned.norm(), rate * angle,
+            acceleration * angle};
 }
 
 PoseReference StraightMotion::at(double seconds) const {

@@ -23,8 +23,7 @@ public:
 
     PoseReference at(double seconds) const override;
     double duration() const override { return m_timing ? m_timing->duration() : 0.0; }
-    double maxSpeed() const override { return m_fastestRate * m_displacement.head<3>().norm(); }
-    double maxAngularSpeed() const override { return m_fastestRate * m_displacement.tail<3>().norm(); }
+    RateBounds rateBounds(const Eigen::Vector3d& p_PC_P) const override;
 
     const Pose& from() const { return m_from; }
     const Twist& way() const { return m_displacement; } ///< the whole displacement
@@ -37,7 +36,6 @@ private:
     Pose m_to;
     Twist m_displacement;
     std::optional<PathTiming> m_timing;
-    double m_fastestRate = 0.0;
 };
 
 } // namespace hexapose

@@ -7,9 +7,10 @@
 #include "core/base/units.h"
 #include "core/device/simulation/simulated_machine.h"
 #include "core/kinematics/newton/newton_raphson.h"
+#include "core/motion/leg_path_check.h"
+#include "core/motion/pose_motion_check.h"
 #include "core/motion/straight_motion.h"
 #include "core/record/event_codec.h"
-#include "core/motion/move_check.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,8 @@
 #include "core/motion/limits.h"
 
 #include "core/kinematics/inverse_kinematics.h"
-#include "core/motion/move_check.h"
+#include "core/motion/leg_path_check.h"
+#include "core/motion/pose_motion_check.h"
 #include "core/record/motion_check_words.h"
 #include "tests/core/motion/poses.h"
 

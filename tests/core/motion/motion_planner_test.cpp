@@ -4,8 +4,9 @@
 #include "core/motion/motion_planner.h"
 
 #include "core/kinematics/inverse_kinematics.h"
+#include "core/motion/leg_path_check.h"
 #include "core/motion/leg_trajectory.h"
-#include "core/motion/move_check.h"
+#include "core/motion/pose_motion_check.h"
 #include "core/motion/straight_motion.h"
 #include "tests/core/motion/poses.h"
 

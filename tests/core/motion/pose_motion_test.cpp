@@ -20,16 +20,35 @@ using testing::poseMm;
 constexpr int kLooks = 2000;
 constexpr double kBoundSlack = 5e-3; ///< of a limit
 
-/// The twist is the derivative of the pose.
+/// The twist is the derivative of the pose, and the bounds of a point far from P are bounds, and near ones.
 void expectConsistent(const PoseMotion& motion) {
+    const Eigen::Vector3d p_PC_P(0.03, -0.2, 0.11);
+    const auto point = [&](double t) -> Eigen::Vector3d {
+        const Pose pose = motion.at(t).pose;
+        return pose.offset + rotationMatrix(pose.angles) * p_PC_P;
+    };
+    const RateBounds ofP = motion.rateBounds(Eigen::Vector3d::Zero());
+    const RateBounds ofC = motion.rateBounds(p_PC_P);
     const double h = motion.duration() / kLooks;
+    RateBounds reached;
     for (int i = 1; i < kLooks; ++i) {
         const PoseReference at = motion.at(i * h);
         const Twist moved = displacement(motion.at((i - 0.5) * h).pose, motion.at((i + 0.5) * h).pose) / h;
-        EXPECT_LT((moved - at.twist).norm(), 2e-3 * (motion.maxSpeed() + motion.maxAngularSpeed())) << i;
-        EXPECT_LE(at.twist.head<3>().norm(), motion.maxSpeed() * (1.0 + 1e-9) + 1e-12);
-        EXPECT_LE(at.twist.tail<3>().norm(), motion.maxAngularSpeed() * (1.0 + 1e-9) + 1e-12);
+        EXPECT_LT((moved - at.twist).norm(), 2e-3 * (ofP.speed + ofP.angularSpeed)) << i;
+        EXPECT_LE(at.twist.head<3>().norm(), ofP.speed * (1.0 + 1e-9) + 1e-12);
+        EXPECT_LE(at.twist.tail<3>().norm(), ofP.angularSpeed * (1.0 + 1e-9) + 1e-12);
+        const Twist before = motion.at((i - 1) * h).twist, after = motion.at((i + 1) * h).twist;
+        EXPECT_LE((after - before).tail<3>().norm() / (2.0 * h),
+                  ofP.angularAcceleration * (1.0 + 1e-6) + 1e-9);
+        reached.speed = std::max(reached.speed, (point((i + 1) * h) - point((i - 1) * h)).norm() / (2.0 * h));
+        reached.acceleration =
+            std::max(reached.acceleration,
+                     (point((i + 1) * h) - 2.0 * point(i * h) + point((i - 1) * h)).norm() / (h * h));
     }
+    EXPECT_LE(reached.speed, ofC.speed * (1.0 + 1e-6));
+    EXPECT_GE(reached.speed, 0.4 * ofC.speed);
+    EXPECT_LE(reached.acceleration, ofC.acceleration * (1.0 + 1e-6));
+    EXPECT_GE(reached.acceleration, 0.2 * ofC.acceleration);
 }
 
 TEST(Displacement, LeadsFromOnePoseToTheOtherTheShorterWay) {

@@ -3,7 +3,8 @@
 #include "ui/console/motion/move_judge.h"
 
 #include "core/kinematics/inverse_kinematics.h"
-#include "core/motion/move_check.h"
+#include "core/motion/leg_path_check.h"
+#include "core/motion/pose_motion_check.h"
 #include "core/motion/straight_motion.h"
 
 namespace hexapose {
