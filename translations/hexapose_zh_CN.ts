@@ -193,6 +193,14 @@ FSI：以小步沿支腿路径跟踪
         <source>Solver</source>
         <translation>求解器</translation>
     </message>
+    <message>
+        <source>Cannot connect: no port is named</source>
+        <translation>无法连接：未填写端口</translation>
+    </message>
+    <message>
+        <source>Cannot connect: baud rate: %1</source>
+        <translation>无法连接：波特率：%1</translation>
+    </message>
 </context>
 <context>
     <name>hexapose::Console</name>
@@ -803,6 +811,45 @@ FSI：以小步沿支腿路径跟踪
     </message>
 </context>
 <context>
+    <name>hexapose::NumberField</name>
+    <message>
+        <source>nothing typed</source>
+        <translation>未填写</translation>
+    </message>
+    <message>
+        <source>unfinished</source>
+        <translation>未输完</translation>
+    </message>
+    <message>
+        <source>a blank inside</source>
+        <translation>中间有空格</translation>
+    </message>
+    <message>
+        <source>two decimal marks</source>
+        <translation>多个小数点</translation>
+    </message>
+    <message>
+        <source>not a number</source>
+        <translation>不是数字</translation>
+    </message>
+    <message>
+        <source>too large or too small</source>
+        <translation>过大或过小</translation>
+    </message>
+    <message>
+        <source>beyond ±%1</source>
+        <translation>超出 ±%1</translation>
+    </message>
+    <message>
+        <source>not in %1 .. %2</source>
+        <translation>须在 %1 .. %2 内</translation>
+    </message>
+    <message>
+        <source>not a whole number</source>
+        <translation>不是整数</translation>
+    </message>
+</context>
+<context>
     <name>hexapose::OperatorWindow</name>
     <message>
         <source>The log cannot be created, so nothing was connected: %1</source>
@@ -1407,10 +1454,6 @@ FSI：以小步沿支腿路径跟踪
 <context>
     <name>hexapose::TargetPanel</name>
     <message>
-        <source>Target %1 is not a number</source>
-        <translation>目标 %1 不是数字</translation>
-    </message>
-    <message>
         <source>Target x</source>
         <translation>目标 x</translation>
     </message>
@@ -1485,6 +1528,10 @@ FSI：以小步沿支腿路径跟踪
     <message>
         <source>Reachable, but nothing is connected</source>
         <translation>可到达，但尚未连接</translation>
+    </message>
+    <message>
+        <source>Target %1: %2</source>
+        <translation>目标 %1：%2</translation>
     </message>
 </context>
 <context>
@@ -1697,10 +1744,6 @@ FSI：以小步沿支腿路径跟踪
         <translation>在路径点 %1 处结束：连接已关闭</translation>
     </message>
     <message>
-        <source>Row %1: %2 is not a number. Nothing moved.</source>
-        <translation>第 %1 行：%2 不是数字。未产生运动。</translation>
-    </message>
-    <message>
         <source>Row %1: %2. Nothing moved.</source>
         <translation>第 %1 行：%2。未产生运动。</translation>
     </message>
@@ -1737,16 +1780,20 @@ FSI：以小步沿支腿路径跟踪
         <translation>无法使用该列表：%1</translation>
     </message>
     <message>
-        <source>Row %1 holds something that is no number; nothing was saved</source>
-        <translation>第 %1 行含有不是数字的内容；未保存</translation>
-    </message>
-    <message>
         <source>Saved as %1</source>
         <translation>已保存为 %1</translation>
     </message>
     <message>
         <source>The list cannot be saved: %1</source>
         <translation>无法保存列表：%1</translation>
+    </message>
+    <message>
+        <source>Row %1: %2: %3</source>
+        <translation>第 %1 行：%2：%3</translation>
+    </message>
+    <message>
+        <source>A field of the target is refused</source>
+        <translation>目标中有一项未被接受</translation>
     </message>
 </context>
 <context>

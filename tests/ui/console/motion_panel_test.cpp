@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/console/synthetic_machine.h"
 #include "tests/ui/screen_reader.h"
-#include "ui/common/pose_field.h"
+#include "ui/common/number_field.h"
 #include "ui/console/motion/guided_test_panel.h"
 #include "ui/console/motion/jog_panel.h"
 #include "ui/console/motion/motion_panel.h"

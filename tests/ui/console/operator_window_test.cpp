@@ -3,7 +3,7 @@
 #include "tests/ui/console/synthetic_machine.h"
 #include "tests/ui/screen_reader.h"
 #include "ui/common/language.h"
-#include "ui/common/pose_field.h"
+#include "ui/common/number_field.h"
 #include "ui/console/events/event_list.h"
 #include "ui/console/motion/jog_panel.h"
 #include "ui/console/motion/motion_panel.h"
@@ -55,7 +55,7 @@ protected:
     QString spoken(const char* name) { return spokenText(window, QString::fromLatin1(name)); }
     bool waitFor(const std::function<bool()>& condition) { return QTest::qWaitFor(condition, kPatienceMs); }
     void type(const char* field, const char* text) {
-        auto* found = qobject_cast<PoseField*>(findByName(window, QString::fromLatin1(field)));
+        auto* found = qobject_cast<NumberField*>(findByName(window, QString::fromLatin1(field)));
         ASSERT_NE(found, nullptr) << field;
         found->selectAll();
         QTest::keyClicks(found, QString::fromLatin1(text));

@@ -94,6 +94,7 @@ void MotionPanel::wire() {
     });
     connect(m_jog, &JogPanel::releaseRequested, this, [this] { emit commandRequested(JogReleaseCommand{}); });
     m_wayPoints->setTargetSource([this] { return m_target->target(); });
+    connect(m_target, &TargetPanel::targetEdited, m_wayPoints, &WayPointsPanel::updateButtons);
     connect(m_wayPoints, &WayPointsPanel::holdRequested, m_speed, &SpeedControl::setHeld);
     connect(m_wayPoints, &WayPointsPanel::started, this, [this] {
         m_test->anotherMotion();

@@ -48,6 +48,11 @@ void WayPointsPanel::showSnapshot(const Snapshot& snapshot) {
     updateButtons();
 }
 
+void WayPointsPanel::setTargetSource(std::function<std::optional<Pose>()> target) {
+    m_target = std::move(target);
+    updateButtons();
+}
+
 void WayPointsPanel::addPose(const std::optional<Pose>& pose) {
     if (pose) {
         m_table->append(*pose);
@@ -74,11 +79,7 @@ bool WayPointsPanel::judgeRows(int first, int count, std::vector<Pose>& poses) {
         const QString number = QString::number(row + 1);
         const auto pose = m_table->poseAt(row);
         if (!pose) {
-            const QString symbol =
-                coordinateTexts()[static_cast<std::size_t>(m_table->wrongCoordinate(row))].symbol;
-            tell([=] { return tr("Row %1: %2 is not a number. Nothing moved.").arg(number, symbol); });
-            m_table->setCurrentCell(row, m_table->wrongCoordinate(row));
-            return false;
+            return false; // the message has it already
         }
         const MotionCheck check = from ? m_judge.move(*from, *pose, m_mode) : m_judge.pose(*pose);
         if (!check.ok()) {
@@ -93,8 +94,10 @@ bool WayPointsPanel::judgeRows(int first, int count, std::vector<Pose>& poses) {
 }
 
 void WayPointsPanel::start(int first, int count) {
+    m_table->finishEditing();
     std::vector<Pose> poses;
-    if (isRunning() || !m_connected || !m_ready || count < 1 || !judgeRows(first, count, poses)) {
+    if (isRunning() || m_refusal || !m_connected || !m_ready || count < 1 ||
+        !judgeRows(first, count, poses)) {
         return;
     }
     emit started();
@@ -125,7 +128,7 @@ void WayPointsPanel::add(const Snapshot& snapshot) {
                      : Text([row] { return tr("At way-point %1").arg(row); }));
     } else {
         m_table->mark(visited());
-        m_message->showText(m_text());
+        showMessage();
         if (next) {
             emit runRequested(*next);
         }
@@ -171,7 +174,7 @@ void WayPointsPanel::setPaused(bool paused) {
 
 void WayPointsPanel::tell(const Text& text) {
     m_text = text;
-    m_message->showText(text());
+    showMessage();
 }
 
 void WayPointsPanel::load(const QString& file) {
@@ -192,21 +195,34 @@ void WayPointsPanel::load(const QString& file) {
 }
 
 void WayPointsPanel::save(const QString& file) {
+    m_table->finishEditing();
+    if (m_refusal) {
+        return; // the message has it already
+    }
     std::vector<Pose> poses;
     for (int row = 0; row < m_table->rowCount(); ++row) {
-        const auto pose = m_table->poseAt(row);
-        if (!pose) {
-            tell([row] {
-                return tr("Row %1 holds something that is no number; nothing was saved").arg(row + 1);
-            });
-            return;
-        }
-        poses.push_back(*pose);
+        poses.push_back(m_table->poseAt(row).value_or(Pose{}));
     }
     const QString fault = saveWayPoints(file, poses);
     tell([=] {
         return fault.isEmpty() ? tr("Saved as %1").arg(file) : tr("The list cannot be saved: %1").arg(fault);
     });
+}
+
+/// What was told last, unless a cell is refused: then that.
+void WayPointsPanel::showMessage() {
+    m_message->showText(
+        m_refusal ? tr("Row %1: %2: %3")
+                        .arg(QString::number(m_refusal->row + 1),
+                             coordinateTexts()[static_cast<std::size_t>(m_refusal->coordinate)].symbol,
+                             m_refusal->reason)
+                  : m_text());
+}
+
+void WayPointsPanel::followTable() {
+    m_refusal = m_table->refusal();
+    showMessage();
+    updateButtons();
 }
 
 void WayPointsPanel::updateButtons() {
@@ -215,13 +231,16 @@ void WayPointsPanel::updateButtons() {
     const int at = m_table->currentRow();
     m_table->setEditable(!running);
     m_addMeasured->setEnabled(!running && m_measured.has_value());
-    m_addTarget->setEnabled(!running);
+    const bool targetWhole = m_target && m_target();
+    m_addTarget->setEnabled(!running && targetWhole);
+    m_addTarget->setToolTip(targetWhole ? tr("Add the pose of the target's fields; nothing moves")
+                                        : tr("A field of the target is refused"));
     m_load->setEnabled(!running);
-    m_save->setEnabled(!running && rows > 0);
+    m_save->setEnabled(!running && rows > 0 && !m_refusal);
     m_remove->setEnabled(!running && at >= 0);
     m_up->setEnabled(!running && at > 0);
     m_down->setEnabled(!running && at >= 0 && at < rows - 1);
-    const bool startable = !running && rows > 0 && m_connected && m_ready;
+    const bool startable = !running && rows > 0 && m_connected && m_ready && !m_refusal;
     m_play->setEnabled(startable);
     m_step->setEnabled(startable);
     m_pause->setEnabled(running);

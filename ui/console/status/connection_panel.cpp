@@ -2,20 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/console/status/connection_panel.h"
 
-#include "core/base/number_text.h"
 #include "ui/common/card.h"
+#include "ui/common/number_field.h"
 #include "ui/common/solver_choices.h"
 #include "ui/common/status_text.h"
 
 #include <QComboBox>
 #include <QEvent>
 #include <QHBoxLayout>
-#include <QIntValidator>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 
-#include <limits>
 #include <utility>
 
 namespace hexapose {
@@ -24,6 +22,7 @@ namespace {
 
 constexpr int kBaudRates[] = {9600, 19200, 38400, 57600, 115200, 230400, 460800, 921600};
 constexpr int kUsualBaud = 115200;
+constexpr NumberBounds kBaudBounds{1.0, 99999999.0, true};
 
 /// Looks for ports each time it is opened, because adapters come and go.
 class PortBox final : public QComboBox {
@@ -58,9 +57,13 @@ void ConnectionPanel::build() {
     m_port->addItem(QString());
     m_baudLabel = makeCaption(this);
     m_baud = new QComboBox(this);
-    m_baud->setEditable(true);
+    m_baudField = new NumberField(kBaudBounds);
+    m_baud->setLineEdit(m_baudField); // which makes it editable
     m_baud->setInsertPolicy(QComboBox::NoInsert);
-    m_baud->setValidator(new QIntValidator(1, std::numeric_limits<int>::max(), m_baud));
+    m_baud->setCompleter(nullptr); // a rate is taken as it is typed
+    m_baudRefusal = makeMutedLabel(this);
+    setTone(*m_baudRefusal, Tone::Bad);
+    m_baudRefusal->hide();
     for (const int rate : kBaudRates) {
         m_baud->addItem(QString::number(rate));
     }
@@ -79,8 +82,8 @@ void ConnectionPanel::build() {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(6);
-    for (QWidget* widget :
-         std::initializer_list<QWidget*>{m_portLabel, m_port, m_baudLabel, m_baud, m_connect}) {
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_portLabel, m_port, m_baudLabel, m_baud,
+                                                           m_baudRefusal, m_connect}) {
         row->addWidget(widget);
     }
     row->addSpacing(14);
@@ -138,13 +141,33 @@ std::optional<ConnectionChoice> ConnectionPanel::choice() const {
     ConnectionChoice choice;
     choice.virtualPlatform = isVirtual();
     choice.port = choice.virtualPlatform ? QString() : m_port->currentText().trimmed();
-    const auto baud = parseInteger(m_baud->currentText().toStdString());
-    const bool baudFits = baud && *baud > 0 && *baud <= std::numeric_limits<int>::max();
-    if (!choice.virtualPlatform && (!baudFits || choice.port.isEmpty())) {
+    if (!connectReason().isEmpty()) {
         return std::nullopt;
     }
-    choice.baud = baudFits ? static_cast<int>(*baud) : kUsualBaud;
+    choice.baud = static_cast<int>(m_baudField->value().value_or(kUsualBaud)); // the virtual one has none
     return choice;
+}
+
+/// Why nothing can be connected with what is typed; empty when it can.
+QString ConnectionPanel::connectReason() const {
+    if (isVirtual()) {
+        return {};
+    }
+    if (m_port->currentText().trimmed().isEmpty()) {
+        return tr("Cannot connect: no port is named");
+    }
+    return m_baudField->isRefused() ? tr("Cannot connect: baud rate: %1").arg(m_baudField->refusal())
+                                    : QString();
+}
+
+void ConnectionPanel::showConnectReason() {
+    const bool refused = !m_open && !isVirtual() && m_baudField->isRefused();
+    m_baudRefusal->setText(m_baudField->refusal());
+    m_baudRefusal->setVisible(refused);
+    const QString tip = m_open ? tr("Stop, disable and close the port") : tr("Open the port; nothing moves");
+    const QString reason = m_open ? QString() : connectReason();
+    m_connect->setToolTip(reason.isEmpty() ? tip : reason);
+    m_connect->setAccessibleDescription(m_connect->toolTip());
 }
 
 void ConnectionPanel::setAvailable(bool available) {
@@ -206,6 +229,7 @@ void ConnectionPanel::updateButtons() {
     m_port->setEnabled(!m_open);
     m_baud->setEnabled(!m_open && !isVirtual());
     m_connect->setEnabled(m_open || (m_available && choice()));
+    showConnectReason();
     const bool linked = m_open && m_state != RunState::Disconnected;
     m_reference->setEnabled(linked && (m_state == RunState::Unreferenced || m_state == RunState::Disabled));
     m_enable->setEnabled(linked && m_state != RunState::Unreferenced && m_state != RunState::Stopped &&
@@ -239,8 +263,8 @@ void ConnectionPanel::retranslate() {
     };
     const bool on =
         m_state == RunState::Enabled || m_state == RunState::Settling || m_state == RunState::Moving;
-    name(m_connect, m_open ? tr("Disconnect") : tr("Connect"),
-         m_open ? tr("Stop, disable and close the port") : tr("Open the port; nothing moves"));
+    name(m_connect, m_open ? tr("Disconnect") : tr("Connect"), {});
+    showConnectReason();
     name(m_reference, tr("Reference"), tr("Find the reference of the legs"));
     name(m_enable, on ? tr("Disable") : tr("Enable"),
          on ? tr("Take the drives off") : tr("Put the drives on"));

@@ -17,6 +17,8 @@ class QPushButton;
 
 namespace hexapose {
 
+class NumberField;
+
 /// Lists the serial ports that the system knows at the moment.
 using PortList = std::function<QStringList()>;
 
@@ -27,7 +29,7 @@ class ConnectionPanel final : public QWidget {
 public:
     explicit ConnectionPanel(PortList ports, QWidget* parent = nullptr);
     void setChoice(const ConnectionChoice& choice);
-    /// Nothing when the baud rate is no number or no port is named.
+    /// Nothing when the baud rate is refused or no port is named.
     std::optional<ConnectionChoice> choice() const;
     /// available: there is something to connect with (the model is ready).
     void setAvailable(bool available);
@@ -54,6 +56,8 @@ private:
     void updateSolver();
     void retranslate();
     bool isVirtual() const;
+    QString connectReason() const;
+    void showConnectReason();
 
     PortList m_ports;
     bool m_available = false;
@@ -65,6 +69,8 @@ private:
     QComboBox* m_port;
     QLabel* m_baudLabel;
     QComboBox* m_baud;
+    NumberField* m_baudField; ///< its editor
+    QLabel* m_baudRefusal;
     QLabel* m_solverLabel;
     QComboBox* m_solver;
     QPushButton* m_connect;

@@ -4,6 +4,7 @@
 
 #include "core/base/input_error.h"
 #include "ui/charts/chart_page.h"
+#include "ui/common/wheel_guard.h"
 #include "ui/console/events/event_list.h"
 #include "ui/console/motion/motion_panel.h"
 #include "ui/console/motion/target_panel.h"
@@ -53,6 +54,7 @@ OperatorWindow::OperatorWindow(const PlatformGeometry& geometry, PortList ports,
     retranslate();
     m_tick.setInterval(kTickMs);
     qApp->installEventFilter(this);
+    new WheelGuard(this);
     connect(&m_tick, &QTimer::timeout, this, &OperatorWindow::tick);
     m_tick.start();
 }
