@@ -581,10 +581,6 @@ FSI：以小步沿支腿路径跟踪
         <source>Ended by Stop. Press Clear before the next one.</source>
         <translation>已由“停止”结束。下次测试前请先按“清除”。</translation>
     </message>
-    <message>
-        <source>Ended: another motion was asked for</source>
-        <translation>已结束：请求了其他运动</translation>
-    </message>
 </context>
 <context>
     <name>hexapose::JogPanel</name>
@@ -675,6 +671,14 @@ FSI：以小步沿支腿路径跟踪
     <message>
         <source>Press Enable first; a jog needs the drives on</source>
         <translation>请先按“使能”；点动需要驱动打开</translation>
+    </message>
+    <message>
+        <source>Wait until the motion is over, or press Stop</source>
+        <translation>请等待运动结束，或按“停止”</translation>
+    </message>
+    <message>
+        <source>That step was not taken: the one before was still under way. Press again.</source>
+        <translation>该步未执行：上一步仍在进行中。请再按一次。</translation>
     </message>
 </context>
 <context>
@@ -1101,8 +1105,8 @@ FSI：以小步沿支腿路径跟踪
         <translation>连接已关闭</translation>
     </message>
     <message>
-        <source>a stop or another motion came in between</source>
-        <translation>期间有停止或其他运动</translation>
+        <source>Stop was pressed</source>
+        <translation>已按“停止”</translation>
     </message>
 </context>
 <context>
@@ -1288,6 +1292,13 @@ FSI：以小步沿支腿路径跟踪
     </message>
 </context>
 <context>
+    <name>hexapose::SequenceEnd</name>
+    <message>
+        <source>another motion was commanded</source>
+        <translation>已下达另一个运动指令</translation>
+    </message>
+</context>
+<context>
     <name>hexapose::SettleLine</name>
     <message>
         <source>inside %1 mm and %2° for %3 s</source>
@@ -1449,6 +1460,14 @@ FSI：以小步沿支腿路径跟踪
     <message>
         <source>Cannot run: press Clear first</source>
         <translation>无法运行：请先按“清除”</translation>
+    </message>
+    <message>
+        <source>Cannot run while the platform moves</source>
+        <translation>无法运行：平台正在运动</translation>
+    </message>
+    <message>
+        <source>Cannot run: the controller does not answer yet</source>
+        <translation>无法运行：控制器尚未应答</translation>
     </message>
 </context>
 <context>
@@ -1766,10 +1785,6 @@ FSI：以小步沿支腿路径跟踪
     <message>
         <source>Stopped on the way to way-point %1. Press Clear, then Play or Step.</source>
         <translation>在前往路径点 %1 途中停止。请按“清除”，再按“播放”或“单步”。</translation>
-    </message>
-    <message>
-        <source>Ended at way-point %1: another motion was asked for</source>
-        <translation>在路径点 %1 处结束：请求了其他运动</translation>
     </message>
     <message>
         <source>%1 way-points from %2</source>

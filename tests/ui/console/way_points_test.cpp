@@ -37,7 +37,7 @@ protected:
     }
     std::string message() { return spokenText(panel, QStringLiteral("Way-point progress")).toStdString(); }
     void settleAt(const Pose& pose) {
-        feed(pose, RunState::Moving);
+        feed(pose, RunState::Moving, {{EventCode::MoveStarted, 2.0, {}}});
         feed(pose, RunState::Enabled, {{EventCode::Settled, 1.0, {}}});
     }
 

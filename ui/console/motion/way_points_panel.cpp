@@ -6,8 +6,8 @@
 #include "core/record/pose_list.h"
 #include "ui/common/read_out.h"
 #include "ui/common/status_text.h"
-#include "ui/console/events/event_text.h"
 #include "ui/console/events/motion_check_text.h"
+#include "ui/console/events/sequence_end_text.h"
 #include "ui/console/motion/way_point_file.h"
 #include "ui/console/motion/way_point_table.h"
 
@@ -38,6 +38,9 @@ void WayPointsPanel::setConnected(bool connected) {
         const QString row = QString::number(visited() + 1);
         end([row] { return tr("Ended at way-point %1: the connection was closed").arg(row); });
     }
+    if (!connected) {
+        setPaused(false); // there is nothing to hold
+    }
     updateButtons();
 }
 
@@ -45,6 +48,9 @@ void WayPointsPanel::showSnapshot(const Snapshot& snapshot) {
     m_judge.follow(snapshot);
     m_measured = snapshot.stale ? std::nullopt : snapshot.measuredPose;
     m_ready = runHindrance(snapshot).isEmpty() && m_measured.has_value();
+    if (snapshot.state == RunState::Stopped || snapshot.state == RunState::Fault) {
+        setPaused(false); // what was held is over, and nothing moves before Clear
+    }
     updateButtons();
 }
 
@@ -100,8 +106,6 @@ void WayPointsPanel::start(int first, int count) {
         !judgeRows(first, count, poses)) {
         return;
     }
-    emit started();
-    setPaused(false);
     m_first = first;
     m_sequence.emplace(std::move(poses), kNoDwell);
     const QString all = QString::number(m_table->rowCount());
@@ -114,12 +118,17 @@ void WayPointsPanel::add(const Snapshot& snapshot) {
     if (!m_sequence) {
         return;
     }
+    const std::size_t begun = m_sequence->begun();
     const auto next = m_sequence->add(snapshot);
+    if (m_sequence->begun() > begun) {
+        emit runBegun(m_asked);
+    }
     const PoseSequence::Phase phase = m_sequence->phase();
     if (phase == PoseSequence::Phase::Failed) {
         const QString row = QString::number(visited() + 1);
-        const Event cause = m_sequence->failure().value_or(Event{EventCode::NotSettled, 0.0, {}});
-        end([row, cause] { return tr("Ended at way-point %1: %2").arg(row, eventText(cause).cause); });
+        end([row, failed = *m_sequence] {
+            return tr("Ended at way-point %1: %2").arg(row, sequenceEndText(failed));
+        });
     } else if (phase == PoseSequence::Phase::Done) {
         const auto done = static_cast<int>(m_sequence->count());
         const QString row = QString::number(m_first + done);
@@ -130,6 +139,7 @@ void WayPointsPanel::add(const Snapshot& snapshot) {
         m_table->mark(visited());
         showMessage();
         if (next) {
+            m_asked = *next;
             emit runRequested(*next);
         }
     }
@@ -145,20 +155,12 @@ void WayPointsPanel::stopped() {
     setPaused(false); // a stop ends the holding too
 }
 
-void WayPointsPanel::anotherMotion() {
-    if (isRunning()) {
-        const QString row = QString::number(visited() + 1);
-        end([row] { return tr("Ended at way-point %1: another motion was asked for").arg(row); });
-    }
-}
-
 void WayPointsPanel::end(const Text& text) {
     if (m_sequence && m_sequence->phase() != PoseSequence::Phase::Done) {
         m_next = visited(); // Step tries it again
     }
     m_sequence.reset();
     m_table->mark(-1);
-    setPaused(false);
     tell(text);
     updateButtons();
 }
@@ -170,6 +172,7 @@ void WayPointsPanel::setPaused(bool paused) {
     m_paused = paused;
     m_pause->setChecked(paused);
     emit holdRequested(paused);
+    updateButtons();
 }
 
 void WayPointsPanel::tell(const Text& text) {
@@ -243,7 +246,7 @@ void WayPointsPanel::updateButtons() {
     const bool startable = !running && rows > 0 && m_connected && m_ready && !m_refusal;
     m_play->setEnabled(startable);
     m_step->setEnabled(startable);
-    m_pause->setEnabled(running);
+    m_pause->setEnabled(running || m_paused);
 }
 
 void WayPointsPanel::changeEvent(QEvent* event) {

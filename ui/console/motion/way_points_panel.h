@@ -39,8 +39,7 @@ public:
     bool isRunning() const { return m_sequence.has_value(); }
     bool isPaused() const { return m_paused; }
     /// Ends the list; what moves is stopped by Stop, not by this.
-    void stopped();       ///< Stop was pressed
-    void anotherMotion(); ///< something else was asked for
+    void stopped(); ///< Stop was pressed
     WayPointTable& table() { return *m_table; }
 
 public slots:
@@ -51,9 +50,9 @@ public slots:
     void save(const QString& file);
 
 signals:
-    void started(); ///< before the first Run of a list
     void runRequested(const hexapose::Pose& target);
-    void holdRequested(bool held); ///< the motion, on its path
+    void runBegun(const hexapose::Pose& target); ///< the loop took it
+    void holdRequested(bool held);               ///< the motion, on its path
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -66,6 +65,7 @@ private:
     QPushButton* addButton(QHBoxLayout& row, int stretch = 1);
     void start(int first, int count);
     bool judgeRows(int first, int count, std::vector<Pose>& poses);
+    /// A hold ends by Pause or by a stop, whatever becomes of the list.
     void setPaused(bool paused);
     void end(const Text& text);
     int visited() const; ///< row, from 0
@@ -81,6 +81,7 @@ private:
     std::optional<Pose> m_measured; ///< present and usable
     std::optional<PoseSequence> m_sequence;
     std::optional<WayPointTable::Refusal> m_refusal; ///< of a cell
+    Pose m_asked;                                    ///< of the last Run
     int m_first = 0;                                 ///< row of the sequence's first pose
     int m_next = 0;                                  ///< row that Step takes
     bool m_paused = false;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/console/status/connection_panel.h"
 
+#include "ui/common/allowed_commands.h"
 #include "ui/common/card.h"
 #include "ui/common/number_field.h"
 #include "ui/common/solver_choices.h"
@@ -110,9 +111,8 @@ void ConnectionPanel::build() {
     });
     connect(m_reference, &QPushButton::clicked, this, [this] { emit commandRequested(ReferenceCommand{}); });
     connect(m_enable, &QPushButton::clicked, this, [this] {
-        const bool on =
-            m_state == RunState::Enabled || m_state == RunState::Settling || m_state == RunState::Moving;
-        emit commandRequested(on ? OperatorCommand(DisableCommand{}) : OperatorCommand(EnableCommand{}));
+        emit commandRequested(m_drivesOn ? OperatorCommand(DisableCommand{})
+                                         : OperatorCommand(EnableCommand{}));
     });
     connect(m_clear, &QPushButton::clicked, this, [this] { emit commandRequested(ClearCommand{}); });
 }
@@ -188,8 +188,7 @@ void ConnectionPanel::setSolverPending(bool pending) {
 
 /// In mid-move the loop keeps the solver it has.
 void ConnectionPanel::updateSolver() {
-    const bool moving = m_state == RunState::Moving || m_state == RunState::Settling;
-    const bool free = !moving && !m_solverPending;
+    const bool free = !m_moving && !m_solverPending;
     // Qt would hand the focus of a disabled box on to a button, and the next key might press it.
     if (!free && window()->focusWidget() == m_solver) {
         m_solver->clearFocus();
@@ -199,7 +198,7 @@ void ConnectionPanel::updateSolver() {
     if (free && std::exchange(m_solverHadFocus, false) && window()->focusWidget() == nullptr) {
         m_solver->setFocus();
     }
-    const QString why = moving ? tr("The solver cannot be changed while the platform moves.")
+    const QString why = m_moving ? tr("The solver cannot be changed while the platform moves.")
                         : m_solverPending
                             ? tr("The solver is being made ready.")
                             : tr("What makes the pose of the leg lengths.\nMPR3-NR, MPR2-NR: regression, "
@@ -211,17 +210,24 @@ void ConnectionPanel::updateSolver() {
 
 void ConnectionPanel::setOpen(bool open) {
     m_open = open;
-    m_state = RunState::Disconnected;
+    m_moving = m_drivesOn = false;
+    m_allowed = {};
     retranslate();
     updateButtons();
 }
 
-void ConnectionPanel::showState(RunState state) {
-    if (state != m_state) {
-        m_state = state;
-        retranslate();
-        updateButtons();
+void ConnectionPanel::showSnapshot(const Snapshot& snapshot) {
+    const CommandSet allowed = allowedCommands(snapshot);
+    const bool moving = snapshot.state == RunState::Moving || snapshot.state == RunState::Settling;
+    const bool on = allowed.contains(Command::Disable) && (moving || snapshot.state == RunState::Enabled);
+    if (allowed == m_allowed && moving == m_moving && on == m_drivesOn) {
+        return;
     }
+    m_allowed = allowed;
+    m_moving = moving;
+    m_drivesOn = on;
+    retranslate();
+    updateButtons();
 }
 
 void ConnectionPanel::updateButtons() {
@@ -230,11 +236,9 @@ void ConnectionPanel::updateButtons() {
     m_baud->setEnabled(!m_open && !isVirtual());
     m_connect->setEnabled(m_open || (m_available && choice()));
     showConnectReason();
-    const bool linked = m_open && m_state != RunState::Disconnected;
-    m_reference->setEnabled(linked && (m_state == RunState::Unreferenced || m_state == RunState::Disabled));
-    m_enable->setEnabled(linked && m_state != RunState::Unreferenced && m_state != RunState::Stopped &&
-                         m_state != RunState::Fault);
-    m_clear->setEnabled(linked && (m_state == RunState::Stopped || m_state == RunState::Fault));
+    m_reference->setEnabled(m_open && m_allowed.contains(Command::Reference));
+    m_enable->setEnabled(m_open && m_allowed.contains(m_drivesOn ? Command::Disable : Command::Enable));
+    m_clear->setEnabled(m_open && m_allowed.contains(Command::Clear));
 }
 
 void ConnectionPanel::retranslate() {
@@ -261,13 +265,11 @@ void ConnectionPanel::retranslate() {
         button->setAccessibleName(text);
         button->setToolTip(tip);
     };
-    const bool on =
-        m_state == RunState::Enabled || m_state == RunState::Settling || m_state == RunState::Moving;
     name(m_connect, m_open ? tr("Disconnect") : tr("Connect"), {});
     showConnectReason();
     name(m_reference, tr("Reference"), tr("Find the reference of the legs"));
-    name(m_enable, on ? tr("Disable") : tr("Enable"),
-         on ? tr("Take the drives off") : tr("Put the drives on"));
+    name(m_enable, m_drivesOn ? tr("Disable") : tr("Enable"),
+         m_drivesOn ? tr("Take the drives off") : tr("Put the drives on"));
     name(m_clear, tr("Clear"), tr("Leave a stop or a fault; nothing moves"));
 }
 

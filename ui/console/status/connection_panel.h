@@ -3,7 +3,8 @@
 #pragma once
 
 #include "core/machine/command.h"
-#include "core/record/run_state.h"
+#include "core/record/command_set.h"
+#include "core/record/snapshot.h"
 #include "ui/session/session.h"
 
 #include <QFrame>
@@ -38,7 +39,7 @@ public:
     void setSolver(std::string_view word);
     /// While a solver is made ready no other can be chosen.
     void setSolverPending(bool pending);
-    void showState(RunState state);
+    void showSnapshot(const Snapshot& snapshot);
 
 signals:
     void connectRequested(const hexapose::ConnectionChoice& choice);
@@ -64,7 +65,9 @@ private:
     bool m_open = false;
     bool m_solverPending = false;
     bool m_solverHadFocus = false;
-    RunState m_state = RunState::Disconnected;
+    bool m_moving = false;
+    bool m_drivesOn = false;
+    CommandSet m_allowed; ///< what the loop would accept
     QLabel* m_portLabel;
     QComboBox* m_port;
     QLabel* m_baudLabel;
