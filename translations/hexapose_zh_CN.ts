@@ -193,6 +193,14 @@ FSI：以小步沿支腿路径跟踪
         <source>Solver</source>
         <translation>求解器</translation>
     </message>
+    <message>
+        <source>Cannot connect: no port is named</source>
+        <translation>无法连接：未填写端口</translation>
+    </message>
+    <message>
+        <source>Cannot connect: baud rate: %1</source>
+        <translation>无法连接：波特率：%1</translation>
+    </message>
 </context>
 <context>
     <name>hexapose::Console</name>
@@ -577,10 +585,6 @@ FSI：以小步沿支腿路径跟踪
         <source>Ended by Stop. Press Clear before the next one.</source>
         <translation>已由“停止”结束。下次测试前请先按“清除”。</translation>
     </message>
-    <message>
-        <source>Ended: another motion was asked for</source>
-        <translation>已结束：请求了其他运动</translation>
-    </message>
 </context>
 <context>
     <name>hexapose::JogPanel</name>
@@ -671,6 +675,14 @@ FSI：以小步沿支腿路径跟踪
     <message>
         <source>Press Enable first; a jog needs the drives on</source>
         <translation>请先按“使能”；点动需要驱动打开</translation>
+    </message>
+    <message>
+        <source>Wait until the motion is over, or press Stop</source>
+        <translation>请等待运动结束，或按“停止”</translation>
+    </message>
+    <message>
+        <source>That step was not taken: the one before was still under way. Press again.</source>
+        <translation>该步未执行：上一步仍在进行中。请再按一次。</translation>
     </message>
 </context>
 <context>
@@ -804,6 +816,45 @@ FSI：以小步沿支腿路径跟踪
     <message>
         <source>Forget the pose of this name</source>
         <translation>删除此名称的位姿</translation>
+    </message>
+</context>
+<context>
+    <name>hexapose::NumberField</name>
+    <message>
+        <source>nothing typed</source>
+        <translation>未填写</translation>
+    </message>
+    <message>
+        <source>unfinished</source>
+        <translation>未输完</translation>
+    </message>
+    <message>
+        <source>a blank inside</source>
+        <translation>中间有空格</translation>
+    </message>
+    <message>
+        <source>two decimal marks</source>
+        <translation>多个小数点</translation>
+    </message>
+    <message>
+        <source>not a number</source>
+        <translation>不是数字</translation>
+    </message>
+    <message>
+        <source>too large or too small</source>
+        <translation>过大或过小</translation>
+    </message>
+    <message>
+        <source>beyond ±%1</source>
+        <translation>超出 ±%1</translation>
+    </message>
+    <message>
+        <source>not in %1 .. %2</source>
+        <translation>须在 %1 .. %2 内</translation>
+    </message>
+    <message>
+        <source>not a whole number</source>
+        <translation>不是整数</translation>
     </message>
 </context>
 <context>
@@ -1058,8 +1109,8 @@ FSI：以小步沿支腿路径跟踪
         <translation>连接已关闭</translation>
     </message>
     <message>
-        <source>a stop or another motion came in between</source>
-        <translation>期间有停止或其他运动</translation>
+        <source>Stop was pressed</source>
+        <translation>已按“停止”</translation>
     </message>
 </context>
 <context>
@@ -1245,6 +1296,13 @@ FSI：以小步沿支腿路径跟踪
     </message>
 </context>
 <context>
+    <name>hexapose::SequenceEnd</name>
+    <message>
+        <source>another motion was commanded</source>
+        <translation>已下达另一个运动指令</translation>
+    </message>
+</context>
+<context>
     <name>hexapose::SettleLine</name>
     <message>
         <source>inside %1 mm and %2° for %3 s</source>
@@ -1407,13 +1465,17 @@ FSI：以小步沿支腿路径跟踪
         <source>Cannot run: press Clear first</source>
         <translation>无法运行：请先按“清除”</translation>
     </message>
+    <message>
+        <source>Cannot run while the platform moves</source>
+        <translation>无法运行：平台正在运动</translation>
+    </message>
+    <message>
+        <source>Cannot run: the controller does not answer yet</source>
+        <translation>无法运行：控制器尚未应答</translation>
+    </message>
 </context>
 <context>
     <name>hexapose::TargetPanel</name>
-    <message>
-        <source>Target %1 is not a number</source>
-        <translation>目标 %1 不是数字</translation>
-    </message>
     <message>
         <source>Target x</source>
         <translation>目标 x</translation>
@@ -1489,6 +1551,10 @@ FSI：以小步沿支腿路径跟踪
     <message>
         <source>Reachable, but nothing is connected</source>
         <translation>可到达，但尚未连接</translation>
+    </message>
+    <message>
+        <source>Target %1: %2</source>
+        <translation>目标 %1：%2</translation>
     </message>
 </context>
 <context>
@@ -1713,10 +1779,6 @@ FSI：以小步沿支腿路径跟踪
         <translation>在路径点 %1 处结束：连接已关闭</translation>
     </message>
     <message>
-        <source>Row %1: %2 is not a number. Nothing moved.</source>
-        <translation>第 %1 行：%2 不是数字。未产生运动。</translation>
-    </message>
-    <message>
         <source>Row %1: %2. Nothing moved.</source>
         <translation>第 %1 行：%2。未产生运动。</translation>
     </message>
@@ -1741,10 +1803,6 @@ FSI：以小步沿支腿路径跟踪
         <translation>在前往路径点 %1 途中停止。请按“清除”，再按“播放”或“单步”。</translation>
     </message>
     <message>
-        <source>Ended at way-point %1: another motion was asked for</source>
-        <translation>在路径点 %1 处结束：请求了其他运动</translation>
-    </message>
-    <message>
         <source>%1 way-points from %2</source>
         <translation>%2 中的 %1 个路径点</translation>
     </message>
@@ -1753,16 +1811,20 @@ FSI：以小步沿支腿路径跟踪
         <translation>无法使用该列表：%1</translation>
     </message>
     <message>
-        <source>Row %1 holds something that is no number; nothing was saved</source>
-        <translation>第 %1 行含有不是数字的内容；未保存</translation>
-    </message>
-    <message>
         <source>Saved as %1</source>
         <translation>已保存为 %1</translation>
     </message>
     <message>
         <source>The list cannot be saved: %1</source>
         <translation>无法保存列表：%1</translation>
+    </message>
+    <message>
+        <source>Row %1: %2: %3</source>
+        <translation>第 %1 行：%2：%3</translation>
+    </message>
+    <message>
+        <source>A field of the target is refused</source>
+        <translation>目标中有一项未被接受</translation>
     </message>
 </context>
 <context>

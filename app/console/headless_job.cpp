@@ -5,7 +5,7 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/report/error_report.h"
-#include "ui/common/pose_field.h"
+#include "ui/common/number_field.h"
 #include "ui/common/status_text.h"
 #include "ui/console/events/event_list.h"
 #include "ui/console/motion/target_panel.h"
@@ -33,7 +33,7 @@ constexpr std::uint64_t kSeed = 1;
 /// The attitude of the published test.
 constexpr std::array<double, 6> kTarget{12.0, -4.0, 40.0, 0.0, 0.0, 5.0};
 
-void typeInto(PoseField& field, const QString& text) {
+void typeInto(NumberField& field, const QString& text) {
     field.setFocus();
     field.selectAll();
     for (const QChar letter : text) {

@@ -7,21 +7,29 @@
 
 namespace hexapose {
 
-namespace {
-
-/// Events after which the attitude will not be reached.
-bool endsTheRun(EventCode code) {
-    return isFault(code) || code == EventCode::MoveRefused || code == EventCode::CommandRefused ||
-           code == EventCode::NotSettled || code == EventCode::StopRequested ||
-           code == EventCode::PreparationFailed;
-}
-
-} // namespace
-
 PoseSequence::PoseSequence(std::vector<Pose> targets, std::chrono::nanoseconds dwell)
     : m_targets(std::move(targets)), m_dwell(dwell) {
     if (m_targets.empty())
         m_phase = Phase::Done;
+}
+
+/// Whether the attitude will not be reached after this.
+bool PoseSequence::ends(const Event& event) const {
+    switch (event.code) {
+    case EventCode::NotSettled:
+    case EventCode::StopRequested:
+    case EventCode::JogStarted:
+        return true;
+    case EventCode::MoveStarted:
+        return !m_asked; // somebody else's
+    case EventCode::MoveRefused:
+    case EventCode::PreparationFailed:
+        return m_asked;
+    case EventCode::CommandRefused:
+        return m_asked && event.get<CommandRefusal>() && event.get<CommandRefusal>()->command == Command::Run;
+    default:
+        return isFault(event.code);
+    }
 }
 
 std::optional<Pose> PoseSequence::add(const Snapshot& snapshot) {
@@ -34,15 +42,20 @@ std::optional<Pose> PoseSequence::add(const Snapshot& snapshot) {
         if (!ready)
             return std::nullopt;
         m_phase = Phase::Moving;
+        m_asked = true;
         return m_targets[m_finished];
     }
     for (const Event& event : snapshot.events) {
-        if (endsTheRun(event.code)) {
+        if (ends(event)) {
             m_phase = Phase::Failed;
             m_failure = event;
             return std::nullopt;
         }
-        if (event.code == EventCode::Settled) {
+        if (event.code == EventCode::MoveStarted) {
+            m_asked = false;
+            ++m_begun;
+        }
+        if (event.code == EventCode::Settled && !m_asked) {
             m_phase = Phase::Dwelling;
             m_since = snapshot.time;
         }
@@ -55,6 +68,7 @@ std::optional<Pose> PoseSequence::add(const Snapshot& snapshot) {
         return std::nullopt;
     }
     m_phase = Phase::Moving;
+    m_asked = true;
     return m_targets[m_finished];
 }
 

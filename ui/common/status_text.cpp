@@ -4,6 +4,7 @@
 
 #include "core/base/units.h"
 #include "core/kinematics/forward_methods.h"
+#include "ui/common/allowed_commands.h"
 
 #include <QCoreApplication>
 
@@ -96,8 +97,18 @@ QString runHindrance(const Snapshot& snapshot) {
     if (const QString link = linkHindrance(snapshot); !link.isEmpty()) {
         return link;
     }
-    const bool down = snapshot.state == RunState::Stopped || snapshot.state == RunState::Fault;
-    return down ? StatusText::tr("Cannot run: press Clear first") : QString();
+    if (snapshot.state == RunState::Disconnected || allowedCommands(snapshot).contains(Command::Run)) {
+        return {};
+    }
+    switch (snapshot.state) {
+    case RunState::Moving:
+        return StatusText::tr("Cannot run while the platform moves");
+    case RunState::Stopped:
+    case RunState::Fault:
+        return StatusText::tr("Cannot run: press Clear first");
+    default:
+        return StatusText::tr("Cannot run: the controller does not answer yet");
+    }
 }
 
 QString linkHindrance(const Snapshot& snapshot) {

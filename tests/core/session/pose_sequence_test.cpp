@@ -4,6 +4,7 @@
 #include "core/session/pose_sequence.h"
 
 #include "core/record/event_codec.h"
+#include "tests/support/events.h"
 
 #include <gtest/gtest.h>
 
@@ -36,12 +37,13 @@ TEST(PoseSequence, WaitsForAConnectedPlatformThenVisitsOneAfterTheOther) {
     notYet.stale = true;
     EXPECT_FALSE(sequence.add(notYet));
     EXPECT_EQ(sequence.add(at(1s))->offset.x(), 0.0);
-    EXPECT_FALSE(sequence.add(at(2s)));
+    EXPECT_FALSE(sequence.add(at(2s, {{EventCode::MoveStarted}})));
     EXPECT_FALSE(sequence.add(at(3s, {{EventCode::Settled}})));
     EXPECT_EQ(sequence.phase(), Step::Dwelling);
     EXPECT_FALSE(sequence.add(at(3900ms)));
     EXPECT_EQ(sequence.add(at(4s))->offset.x(), 0.01);
     EXPECT_EQ(sequence.finished(), 1u);
+    sequence.add(at(4500ms, {{EventCode::MoveStarted}}));
     sequence.add(at(5s, {{EventCode::Settled}}));
     EXPECT_FALSE(sequence.add(at(6s)));
     EXPECT_EQ(sequence.phase(), Step::Done);
@@ -57,10 +59,43 @@ TEST(PoseSequence, EndsWithTheReasonWhateverStopsTheMove) {
           EventCode::StoppedOnLimits, EventCode::StoppedOnNewIdentity, EventCode::StoppedAfterLoss}) {
         PoseSequence sequence(twoTargets(), 1s);
         sequence.add(at(1s));
-        EXPECT_FALSE(sequence.add(at(2s, {{code, DeviceText{"why"}}})));
+        const EventData why = code == EventCode::CommandRefused
+                                  ? EventData(CommandRefusal{Command::Run, RunState::Moving})
+                                  : EventData(DeviceText{"why"});
+        EXPECT_FALSE(sequence.add(at(2s, {{code, why}})));
         EXPECT_EQ(sequence.phase(), Step::Failed) << toWord(code);
-        EXPECT_EQ(sequence.failure()->get<DeviceText>()->text, "why");
+        EXPECT_EQ(sequence.failure()->data.index(), why.index());
         EXPECT_FALSE(sequence.add(at(3s, {{EventCode::Settled}}))) << "a sequence that failed starts nothing";
+    }
+}
+
+/// A Run that somebody else asks for in mid-move, a jog key, a way-point out of reach: refused, and no more.
+TEST(PoseSequence, ARefusalOfAnotherCommandChangesNothing) {
+    PoseSequence sequence(twoTargets(), 1s);
+    sequence.add(at(1s));
+    sequence.add(at(1500ms, {eventFrom("command-refused jog in disabled")}));
+    sequence.add(at(2s, {{EventCode::MoveStarted}}));
+    EXPECT_EQ(sequence.begun(), 1U);
+    for (const Event& refusal : {eventFrom("command-refused run in moving"),
+                                 eventFrom("command-refused jog in moving"),
+                                 eventFrom("move-refused leg 3 above max_mm"),
+                                 eventFrom("preparation-failed reference")}) {
+        sequence.add(at(3s, {refusal}));
+        EXPECT_EQ(sequence.phase(), Step::Moving) << formatEvent(refusal);
+    }
+    sequence.add(at(4s, {{EventCode::Settled}}));
+    EXPECT_TRUE(sequence.add(at(5s)));
+}
+
+TEST(PoseSequence, AnotherMotionThatBeginsEndsIt) {
+    for (const EventCode code : {EventCode::MoveStarted, EventCode::JogStarted}) {
+        PoseSequence sequence(twoTargets(), 1s);
+        sequence.add(at(1s));
+        sequence.add(at(2s, {{EventCode::MoveStarted}}));
+        sequence.add(at(3s, {{EventCode::Settled}}));
+        EXPECT_FALSE(sequence.add(at(3500ms, {{code}})));
+        EXPECT_EQ(sequence.phase(), Step::Failed);
+        EXPECT_EQ(sequence.failure()->code, code);
     }
 }
 

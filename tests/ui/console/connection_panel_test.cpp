@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/console/synthetic_machine.h"
 #include "tests/ui/screen_reader.h"
 #include "ui/common/language.h"
 #include "ui/console/status/connection_panel.h"
@@ -24,6 +25,9 @@ protected:
     template <class Widget = QPushButton>
     Widget* find(const char* name) {
         return qobject_cast<Widget*>(findByName(panel, QString::fromLatin1(name)));
+    }
+    static Snapshot inState(RunState state) {
+        return snapshotAt(laboratoryPlatform(), Pose{}, Pose{}, state, 1.0);
     }
     QStringList ports{QStringLiteral("/dev/ttyS0")};
     ConnectionPanel panel;
@@ -56,13 +60,13 @@ TEST_F(ConnectionPanelTest, ButtonsFollowTheState) {
     QObject::connect(&panel, &ConnectionPanel::disconnectRequested, [&] { ++disconnects; });
     panel.setOpen(true);
     EXPECT_EQ(find("Connect"), nullptr);
-    panel.showState(RunState::Unreferenced);
+    panel.showSnapshot(inState(RunState::Unreferenced));
     EXPECT_TRUE(find("Reference")->isEnabled());
     EXPECT_FALSE(find("Enable")->isEnabled());
     EXPECT_FALSE(find("Clear")->isEnabled());
-    panel.showState(RunState::Enabled);
+    panel.showSnapshot(inState(RunState::Enabled));
     EXPECT_TRUE(find("Disable")->isEnabled());
-    panel.showState(RunState::Stopped);
+    panel.showSnapshot(inState(RunState::Stopped));
     EXPECT_TRUE(find("Clear")->isEnabled());
     find("Disconnect")->click();
     EXPECT_EQ(disconnects, 1);
@@ -85,13 +89,13 @@ TEST_F(ConnectionPanelTest, TheSolverIsChosenWhileNothingMoves) {
     EXPECT_EQ(chosen, QStringList{QStringLiteral("fsi")});
     panel.setOpen(true);
     for (const RunState state : {RunState::Moving, RunState::Settling}) {
-        panel.showState(state);
+        panel.showSnapshot(inState(state));
         EXPECT_FALSE(box->isEnabled());
         EXPECT_NE(box->toolTip().indexOf(QStringLiteral("while the platform moves")), -1);
         EXPECT_EQ(box->accessibleDescription(), box->toolTip());
     }
     for (const RunState state : {RunState::Enabled, RunState::Disabled, RunState::Stopped, RunState::Fault}) {
-        panel.showState(state);
+        panel.showSnapshot(inState(state));
         EXPECT_TRUE(box->isEnabled());
         EXPECT_EQ(box->toolTip().indexOf(QStringLiteral("while the platform moves")), -1);
     }

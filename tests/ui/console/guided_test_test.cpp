@@ -59,7 +59,7 @@ TEST_F(GuidedTestTest, GoesThereSettlesAveragesSolvesAndCompares) {
     EXPECT_TRUE(asked[0].toVector().isApprox(published.toVector(), 1e-12));
     EXPECT_EQ(activeStep(), 0);
     const Pose there = poseOf(12.002, -4, 40, 0, 0, 5.01);
-    feed(there, RunState::Moving);
+    feed(there, RunState::Moving, {{EventCode::MoveStarted, 2.0}});
     feed(there, RunState::Settling);
     EXPECT_EQ(activeStep(), 1);
     feed(there, RunState::Enabled, {{EventCode::Settled, 1.0}});

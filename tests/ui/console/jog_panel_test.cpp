@@ -50,6 +50,28 @@ protected:
         qobject_cast<QComboBox*>(findByName(window, QString::fromLatin1(box)))->setCurrentIndex(index);
     }
     void hold(const char* name) { QTest::mousePress(button(name), Qt::LeftButton); }
+    void stepTaken() {
+        Snapshot moving = snapshot(RunState::Moving);
+        moving.events.push_back({EventCode::MoveStarted, 0.5});
+        panel->add(moving);
+        live(RunState::Enabled);
+    }
+    bool allUp() {
+        return QTest::qWaitFor([this] { return panel->isAllUp(); });
+    }
+    /// What the keyboard makes of a held key: a release and a press, marked or not.
+    void repeat(Qt::Key key, bool marked) {
+        for (const QEvent::Type type : {QEvent::KeyRelease, QEvent::KeyPress}) {
+            QKeyEvent event(type, key, Qt::NoModifier, {}, marked);
+            QApplication::sendEvent(pad(), &event);
+        }
+    }
+    /// The pointer, with the left button down.
+    void dragTo(QPushButton& over, const QPoint& at) {
+        QMouseEvent move(QEvent::MouseMove, at, over.mapToGlobal(at), Qt::NoButton, Qt::LeftButton,
+                         Qt::NoModifier);
+        QApplication::sendEvent(&over, &move);
+    }
     QWidget* pad() { return findByName(window, QStringLiteral("Jog keys")); }
     bool held() const { return panel->hold().direction().has_value(); }
 
@@ -116,6 +138,7 @@ TEST_F(JogPanelTest, WhateverTakesTheButtonAwayEndsIt) {
             panel->show();
             live(RunState::Enabled);
             pad()->setFocus();
+            ASSERT_TRUE(allUp());
             byKey ? QTest::keyPress(pad(), key) : hold("Jog +y");
             ASSERT_TRUE(held()) << name << byKey;
             releases = 0;
@@ -162,10 +185,94 @@ TEST_F(JogPanelTest, KeysHoldWhileTheyAreDownAndRepeatsDoNotMatter) {
     EXPECT_FALSE(held());
     QTest::keyPress(pad(), Qt::Key_PageDown); // still down: that is no new press
     EXPECT_FALSE(held());
+    QTest::keyRelease(pad(), Qt::Key_PageDown);
+    QTest::keyRelease(pad(), Qt::Key_Up);
+    ASSERT_TRUE(allUp());
     QTest::keyPress(pad(), Qt::Key_Left, Qt::ShiftModifier);
     EXPECT_TRUE(held());
     QTest::keyRelease(pad(), Qt::Key_Shift); // alpha or x?
     EXPECT_FALSE(held());
+}
+
+TEST_F(JogPanelTest, ASecondKeyEndsItAndNothingStartsBeforeAllAreUp) {
+    pad()->setFocus();
+    QTest::keyPress(pad(), Qt::Key_Down);
+    ASSERT_TRUE(held());
+    QTest::keyPress(pad(), Qt::Key_Right);
+    EXPECT_FALSE(held());
+    for (const bool marked : {true, false}) {
+        for (const Qt::Key key : {Qt::Key_Right, Qt::Key_Down, Qt::Key_Right}) {
+            repeat(key, marked);
+            EXPECT_FALSE(held()) << key << marked;
+        }
+    }
+    QTest::keyRelease(pad(), Qt::Key_Right);
+    QTest::keyPress(pad(), Qt::Key_Up); // a third one
+    repeat(Qt::Key_Down, false);
+    EXPECT_FALSE(held());
+    EXPECT_EQ(jogs.size(), 1U);
+    EXPECT_EQ(releases, 1);
+    QTest::keyRelease(pad(), Qt::Key_Up);
+    QTest::keyRelease(pad(), Qt::Key_Down);
+    ASSERT_TRUE(allUp());
+    QTest::keyPress(pad(), Qt::Key_Right);
+    EXPECT_TRUE(held());
+}
+
+TEST_F(JogPanelTest, AKeyAndAButtonAreTwoAsWell) {
+    pad()->setFocus();
+    QTest::keyPress(pad(), Qt::Key_Down);
+    ASSERT_TRUE(held());
+    hold("Jog +x"); // which takes the focus from the pad to itself
+    EXPECT_FALSE(held());
+    QTest::mouseRelease(button("Jog +x"), Qt::LeftButton);
+    hold("Jog +x");
+    EXPECT_FALSE(held()) << "the key is still down";
+    QTest::keyRelease(button("Jog +x"), Qt::Key_Down);
+    QTest::mouseRelease(button("Jog +x"), Qt::LeftButton);
+    ASSERT_TRUE(allUp());
+    hold("Jog +x");
+    ASSERT_TRUE(held());
+    QTest::keyPress(button("Jog +x"), Qt::Key_Down);
+    EXPECT_FALSE(held());
+    QTest::keyRelease(button("Jog +x"), Qt::Key_Down);
+    ASSERT_FALSE(QTest::qWaitFor([this] { return panel->isAllUp(); }, 50)) << "the button is still down";
+    QTest::keyPress(button("Jog +x"), Qt::Key_Down);
+    EXPECT_FALSE(held());
+    EXPECT_EQ(jogs.size(), 2U);
+}
+
+TEST_F(JogPanelTest, AKeyHeldThroughAChangeOfTheFocusStartsNothing) {
+    pad()->setFocus();
+    QTest::keyPress(pad(), Qt::Key_Up);
+    elsewhere->setFocus();
+    EXPECT_FALSE(held());
+    pad()->setFocus();
+    for (const bool marked : {true, false}) {
+        repeat(Qt::Key_Up, marked);
+        EXPECT_FALSE(held()) << marked;
+    }
+    QTest::keyRelease(pad(), Qt::Key_Up);
+    ASSERT_TRUE(allUp());
+    QTest::keyPress(pad(), Qt::Key_Up);
+    EXPECT_TRUE(held());
+}
+
+TEST_F(JogPanelTest, ThePointerThatComesBackToAHeldButtonStartsNothing) {
+    QPushButton& down = *button("Jog +x");
+    hold("Jog +x");
+    ASSERT_TRUE(held());
+    for (int i = 0; i < 2; ++i) {
+        dragTo(down, QPoint(-30, -30));
+        EXPECT_FALSE(held());
+        dragTo(down, down.rect().center());
+        EXPECT_TRUE(down.isDown()) << "Qt presses it again";
+        EXPECT_FALSE(held());
+    }
+    QTest::mouseRelease(&down, Qt::LeftButton);
+    EXPECT_EQ(jogs.size(), 1U);
+    hold("Jog +x");
+    EXPECT_TRUE(held()) << "a new press";
 }
 
 TEST_F(JogPanelTest, SpaceHoldsTheButtonWithTheFocusAndOtherKeysNeedIt) {
@@ -186,9 +293,12 @@ TEST_F(JogPanelTest, AStepIsOneMoveFromWhereItWasSent) {
     choose("Jog step", 2); // 1 mm or degree
     QTest::mouseClick(button("Jog -y"), Qt::LeftButton);
     ASSERT_EQ(steps.size(), 1U);
+    stepTaken();
     EXPECT_TRUE(steps[0].toVector().isApprox(poseOf(1, 1, 3, 0, 0, 0).toVector(), 1e-12));
     QTest::keyClick(pad(), Qt::Key_PageUp, Qt::ShiftModifier);
     ASSERT_EQ(steps.size(), 2U);
+    stepTaken();
+    ASSERT_TRUE(allUp());
     EXPECT_TRUE(steps[1].toVector().isApprox(poseOf(1, 2, 3, 0, 0, 1).toVector(), 1e-12));
     EXPECT_TRUE(jogs.empty());
     // The goal of the last move, not the noise about it; without one the measured pose.
@@ -197,10 +307,38 @@ TEST_F(JogPanelTest, AStepIsOneMoveFromWhereItWasSent) {
     panel->showSnapshot(off);
     QTest::mouseClick(button("Jog +x"), Qt::LeftButton);
     EXPECT_TRUE(steps.back().toVector().isApprox(poseOf(2, 2, 3, 0, 0, 0).toVector(), 1e-12));
+    stepTaken();
     off.goalPose.reset();
     panel->showSnapshot(off);
     QTest::mouseClick(button("Jog +x"), Qt::LeftButton);
     EXPECT_TRUE(steps.back().toVector().isApprox(poseOf(2.1, 2, 3, 0, 0, 0).toVector(), 1e-12));
+}
+
+TEST_F(JogPanelTest, AStepThatCannotBeTakenIsSaidToBeNone) {
+    const auto hint = [this] { return spokenText(window, QStringLiteral("Jog hint")); };
+    choose("Jog step", 2);
+    QTest::mouseClick(button("Jog +x"), Qt::LeftButton);
+    ASSERT_EQ(steps.size(), 1U);
+    QTest::mouseClick(button("Jog +x"), Qt::LeftButton); // before the loop has answered
+    EXPECT_EQ(steps.size(), 1U);
+    EXPECT_TRUE(hint().contains(QStringLiteral("was not taken"))) << hint().toStdString();
+    Snapshot moving = snapshot(RunState::Moving);
+    moving.events.push_back({EventCode::MoveStarted, 0.5});
+    panel->add(moving);
+    panel->showSnapshot(moving);
+    EXPECT_TRUE(button("Jog +x")->isEnabled());
+    QTest::mouseClick(button("Jog +x"), Qt::LeftButton);
+    EXPECT_EQ(steps.size(), 1U);
+    EXPECT_TRUE(hint().contains(QStringLiteral("was not taken")));
+    live(RunState::Settling);
+    QTest::mouseClick(button("Jog +x"), Qt::LeftButton);
+    EXPECT_EQ(steps.size(), 2U);
+    EXPECT_FALSE(hint().contains(QStringLiteral("was not taken")));
+    Snapshot refused = snapshot(RunState::Enabled);
+    refused.events.push_back(eventFrom("move-refused leg 3 above max_mm"));
+    panel->add(refused);
+    QTest::mouseClick(button("Jog -x"), Qt::LeftButton);
+    EXPECT_EQ(steps.size(), 3U) << "after a refusal the next one counts";
 }
 
 TEST_F(JogPanelTest, NothingIsAskedForWhereItWouldBeRefused) {
@@ -211,13 +349,17 @@ TEST_F(JogPanelTest, NothingIsAskedForWhereItWouldBeRefused) {
         QTest::keyPress(pad(), Qt::Key_Right);
         QTest::keyRelease(pad(), Qt::Key_Right);
     }
+    ASSERT_TRUE(allUp());
     live(RunState::Moving); // by something else
+    EXPECT_FALSE(button("Jog +x")->isEnabled());
+    EXPECT_TRUE(spokenText(window, QStringLiteral("Jog hint")).contains(QStringLiteral("Wait until")));
     hold("Jog +x");
     EXPECT_TRUE(jogs.empty());
     QTest::mouseRelease(button("Jog +x"), Qt::LeftButton);
     Snapshot jogging = snapshot(RunState::Moving);
     jogging.events.push_back({EventCode::JogStarted});
     panel->add(jogging);
+    panel->showSnapshot(jogging);
     hold("Jog +x"); // of a jog that comes to rest
     EXPECT_EQ(jogs.size(), 1U);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/console/synthetic_machine.h"
 #include "tests/ui/screen_reader.h"
-#include "ui/common/pose_field.h"
+#include "ui/common/number_field.h"
 #include "ui/console/motion/guided_test_panel.h"
 #include "ui/console/motion/jog_panel.h"
 #include "ui/console/motion/motion_panel.h"
@@ -10,6 +10,7 @@
 #include "ui/console/motion/target_panel.h"
 #include "ui/console/motion/way_point_table.h"
 #include "ui/console/motion/way_points_panel.h"
+#include "tests/support/events.h"
 
 #include <QComboBox>
 #include <QPushButton>
@@ -89,25 +90,41 @@ TEST_F(MotionPanelTest, HeldIsZeroAndThenTheOldSpeed) {
     EXPECT_EQ(std::get<SpeedCommand>(commands[1]).speedOverride, 1.0);
 }
 
-TEST_F(MotionPanelTest, OneMotionAtATime) {
-    QSignalSpy begins(&panel, &MotionPanel::motionBegins);
-    const auto play = [this] {
-        panel.wayPoints().table().setPoses({poseOf(1, 0, 0, 0, 0, 0), poseOf(2, 0, 0, 0, 0, 0)});
-        panel.wayPoints().play();
-        EXPECT_TRUE(panel.wayPoints().isRunning());
+TEST_F(MotionPanelTest, AListEndsWithAnotherMotionThatBeginsAndNotWithAWish) {
+    double now = 1.0;
+    const auto feed = [&](RunState state, std::vector<Event> events = {}) {
+        Snapshot snapshot = snapshotAt(geometry, Pose{}, Pose{}, state, now += 0.01);
+        snapshot.events = std::move(events);
+        panel.add(snapshot);
+        panel.showSnapshot(snapshot);
     };
-    play();
-    emit panel.jog().jogRequested({});
-    EXPECT_FALSE(panel.wayPoints().isRunning());
-    ASSERT_FALSE(commands.empty());
-    EXPECT_TRUE(std::holds_alternative<JogCommand>(commands.back()));
-    play();
-    button("Run")->click();
-    EXPECT_FALSE(panel.wayPoints().isRunning());
-    play();
-    emit panel.guidedTest().started();
-    EXPECT_FALSE(panel.wayPoints().isRunning());
-    EXPECT_EQ(begins.count(), 6) << "a report ends by each of them";
+    for (const EventCode other : {EventCode::MoveStarted, EventCode::JogStarted}) {
+        panel.target().setTarget(poseOf(7, 0, 0, 0, 0, 0));
+        panel.wayPoints().table().setPoses({poseOf(1, 0, 0, 0, 0, 0), poseOf(2, 0, 0, 0, 0, 0)});
+        feed(RunState::Enabled);
+        button("Play")->click();
+        feed(RunState::Enabled);
+        EXPECT_EQ(spokenText(panel, QStringLiteral("Target x")), "7.00") << "nothing has begun";
+        feed(RunState::Moving, {{EventCode::MoveStarted, 1.0}});
+        EXPECT_EQ(spokenText(panel, QStringLiteral("Target x")), "1.00");
+        // In mid-move whatever is asked for is refused, and changes nothing.
+        for (const char* name : {"Run", "Guided test", "Play", "Step"}) {
+            EXPECT_FALSE(button(name)->isEnabled()) << name;
+        }
+        emit panel.jog().jogRequested({});
+        emit panel.target().runRequested(poseOf(3, 0, 0, 0, 0, 0));
+        panel.guidedTest().start();
+        feed(RunState::Moving, {eventFrom("command-refused jog in moving"),
+                                eventFrom("command-refused run in moving")});
+        EXPECT_TRUE(panel.wayPoints().isRunning());
+        EXPECT_FALSE(panel.guidedTest().isRunning());
+        EXPECT_EQ(spokenText(panel, QStringLiteral("Target x")), "1.00");
+        feed(RunState::Settling);
+        feed(RunState::Moving, {{other, 1.0, {}}});
+        EXPECT_FALSE(panel.wayPoints().isRunning());
+        EXPECT_EQ(spokenText(panel, QStringLiteral("Way-point progress")),
+                  "Ended at way-point 1: another motion was commanded");
+    }
 }
 
 TEST_F(MotionPanelTest, StopIsAlwaysThereAndOnOneKey) {

@@ -3,7 +3,7 @@
 #include "tests/ui/console/synthetic_machine.h"
 #include "tests/ui/screen_reader.h"
 #include "ui/common/language.h"
-#include "ui/common/pose_field.h"
+#include "ui/common/number_field.h"
 #include "ui/console/events/event_list.h"
 #include "ui/console/motion/jog_panel.h"
 #include "ui/console/motion/motion_panel.h"
@@ -55,7 +55,7 @@ protected:
     QString spoken(const char* name) { return spokenText(window, QString::fromLatin1(name)); }
     bool waitFor(const std::function<bool()>& condition) { return QTest::qWaitFor(condition, kPatienceMs); }
     void type(const char* field, const char* text) {
-        auto* found = qobject_cast<PoseField*>(findByName(window, QString::fromLatin1(field)));
+        auto* found = qobject_cast<NumberField*>(findByName(window, QString::fromLatin1(field)));
         ASSERT_NE(found, nullptr) << field;
         found->selectAll();
         QTest::keyClicks(found, QString::fromLatin1(text));
@@ -273,6 +273,38 @@ TEST_F(OperatorWindowTest, AHeldJogButtonMovesThePlatformAndLettingGoEndsIt) {
     EXPECT_FALSE(window.motionPanel().jog().hold().direction());
 }
 
+/// A hold ends by Pause or Stop alone: what is refused leaves it, the list, the samples and the target alone.
+TEST_F(OperatorWindowTest, NothingThatIsRefusedEndsAListOrItsHold) {
+    button("Connect")->click();
+    ASSERT_TRUE(waitFor([this] { return button("Run")->isEnabled() && spoken("Measured x") == "0.000"; }));
+    WayPointsPanel& list = window.motionPanel().wayPoints();
+    list.table().setPoses({poseOf(0, 0, 20, 0, 0, 0), poseOf(0, 0, -20, 0, 0, 0)});
+    button("Play")->click();
+    ASSERT_TRUE(waitFor([this] { return window.latest().state == RunState::Moving; }));
+    button("Pause motion")->click();
+    ASSERT_TRUE(waitFor([this] { return window.latest().speed == 0.0; }));
+    type("Target z", "5");
+    for (const char* name : {"Run", "Guided test", "Run report", "Play", "Step"}) {
+        EXPECT_FALSE(button(name)->isEnabled()) << name;
+        button(name)->click();
+    }
+    // Whoever asks all the same is refused by the loop.
+    emit window.targetPanel().runRequested(poseOf(0, 0, 5, 0, 0, 0));
+    window.reportPanel().runList({poseOf(1, 0, 0, 0, 0, 0)});
+    ASSERT_TRUE(waitFor([this] { return !window.reportPanel().isRunning(); }));
+    ASSERT_TRUE(waitFor([this] { return happened("cannot be carried out"); }));
+    const std::uint64_t cycle = window.latest().cycle;
+    ASSERT_TRUE(waitFor([&] { return window.latest().cycle > cycle + 20; }));
+    EXPECT_TRUE(list.isRunning());
+    EXPECT_TRUE(button("Pause motion")->isChecked());
+    EXPECT_EQ(window.latest().speed, 0.0);
+    EXPECT_EQ(window.latest().state, RunState::Moving);
+    EXPECT_EQ(spoken("Target z"), "5");
+    button("Pause motion")->click(); // and goes on where it was
+    ASSERT_TRUE(waitFor([this] { return spoken("Way-point progress").contains(QStringLiteral("2 of 2")); }));
+    button("Stop")->click();
+}
+
 TEST_F(OperatorWindowTest, StopEndsAListAndSoDoesAnotherMotion) {
     button("Connect")->click();
     ASSERT_TRUE(waitFor([this] { return button("Run")->isEnabled() && spoken("Measured x") == "0.000"; }));
@@ -294,7 +326,9 @@ TEST_F(OperatorWindowTest, StopEndsAListAndSoDoesAnotherMotion) {
     ASSERT_TRUE(waitFor([this] { return spoken("State") == "Disabled"; }));
     button("Play")->click();
     EXPECT_TRUE(list.isRunning());
-    window.reportPanel().runList({poseOf(1, 0, 0, 0, 0, 0)});
+    // In the moment between two way-points another motion can come in.
+    ASSERT_TRUE(waitFor([this] { return window.latest().state == RunState::Settling; }));
+    window.session()->post(RunCommand{poseOf(0, 5, 0, 0, 0, 0), MotionMode::Joint});
     ASSERT_TRUE(waitFor([&list] { return !list.isRunning(); }));
     EXPECT_TRUE(spoken("Way-point progress").contains(QStringLiteral("another motion")));
     button("Stop")->click();

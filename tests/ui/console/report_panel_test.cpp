@@ -30,7 +30,9 @@ protected:
 
     /// A move to a pose, settled, and `standing` seconds of standing there.
     void move(const Pose& to, double standing = 1.5) {
-        panel.add(snapshotAt(geometry, to, to, RunState::Moving, now += 0.01));
+        Snapshot begun = snapshotAt(geometry, to, to, RunState::Moving, now += 0.01);
+        begun.events.push_back({EventCode::MoveStarted, 1.0});
+        panel.add(begun);
         Snapshot settled = snapshotAt(geometry, to, to, RunState::Enabled, now += 0.01);
         settled.events.push_back({EventCode::Settled, 1.0});
         panel.add(settled);
@@ -103,10 +105,48 @@ TEST_F(ReportPanelTest, ListIsRunThroughOneByOne) {
 
 TEST_F(ReportPanelTest, AnotherMotionEndsTheListAndThatIsTold) {
     panel.runReport();
-    panel.cancel();
-    EXPECT_FALSE(panel.isRunning());
     panel.add(snapshotAt(geometry, Pose{}, Pose{}, RunState::Enabled, now));
-    EXPECT_TRUE(spokenText(panel, QStringLiteral("Report progress")).contains(QStringLiteral("Ended early")));
+    ASSERT_TRUE(asked);
+    move(*asked, 0.5);
+    EXPECT_TRUE(panel.isRunning());
+    move(poseOf(1, 0, 0, 0, 0, 0)); // somebody else's
+    EXPECT_FALSE(panel.isRunning());
+    EXPECT_EQ(spokenText(panel, QStringLiteral("Report progress")),
+              "Ended early: another motion was commanded");
+    panel.runReport();
+    panel.stopped();
+    EXPECT_FALSE(panel.isRunning());
+    EXPECT_EQ(spokenText(panel, QStringLiteral("Report progress")), "Ended early: Stop was pressed");
+}
+
+TEST_F(ReportPanelTest, SamplesAreDiscardedOnlyWhenTheLoopTakesTheRun) {
+    move(poseOf(5, 0, 0, 0, 0, 0));
+    ASSERT_EQ(panel.sampleCount(), 1);
+    panel.runReport();
+    Snapshot snapshot = snapshotAt(geometry, Pose{}, Pose{}, RunState::Enabled, now);
+    panel.add(snapshot);
+    EXPECT_EQ(panel.sampleCount(), 1);
+    snapshot.events.push_back(eventFrom("command-refused run in moving"));
+    panel.add(snapshot);
+    EXPECT_FALSE(panel.isRunning());
+    EXPECT_EQ(panel.sampleCount(), 1) << "refused: they stay";
+    panel.runReport();
+    panel.add(snapshotAt(geometry, Pose{}, Pose{}, RunState::Enabled, now));
+    ASSERT_TRUE(asked);
+    move(*asked, 0.1);
+    EXPECT_EQ(panel.sampleCount(), 0);
+}
+
+TEST_F(ReportPanelTest, RunReportIsGreyWhereTheLoopWouldRefuseIt) {
+    const auto show = [this](RunState state) {
+        panel.showSnapshot(snapshotAt(geometry, Pose{}, Pose{}, state, now));
+        return button("Run report")->isEnabled();
+    };
+    EXPECT_TRUE(show(RunState::Enabled));
+    EXPECT_FALSE(show(RunState::Moving));
+    EXPECT_EQ(button("Run report")->toolTip(), "Cannot run while the platform moves");
+    EXPECT_FALSE(show(RunState::Stopped));
+    EXPECT_TRUE(show(RunState::Disabled));
 }
 
 TEST_F(ReportPanelTest, RefusedMoveEndsTheList) {

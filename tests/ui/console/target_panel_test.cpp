@@ -4,7 +4,7 @@
 #include "core/record/motion_check_words.h"
 #include "tests/ui/console/synthetic_machine.h"
 #include "tests/ui/screen_reader.h"
-#include "ui/common/pose_field.h"
+#include "ui/common/number_field.h"
 #include "ui/common/status_text.h"
 #include "ui/console/events/motion_check_text.h"
 #include "ui/console/motion/axis_range.h"
@@ -29,7 +29,7 @@ protected:
     TargetPanelTest() : geometry(laboratoryPlatform()), panel(geometry) { panel.show(); }
 
     void type(const char* field, const char* text) {
-        auto* found = qobject_cast<PoseField*>(findByName(panel, QString::fromLatin1(field)));
+        auto* found = qobject_cast<NumberField*>(findByName(panel, QString::fromLatin1(field)));
         ASSERT_NE(found, nullptr) << field;
         found->selectAll();
         QTest::keyClicks(found, QString::fromLatin1(text));
@@ -82,12 +82,12 @@ TEST_F(TargetPanelTest, TheNameOfAPoseHasAnEditorOfThatName) {
 }
 
 TEST_F(TargetPanelTest, AWrongFieldIsMarkedAsLongAsItIs) {
-    auto* z = qobject_cast<PoseField*>(findByName(panel, QStringLiteral("Target z")));
+    auto* z = qobject_cast<NumberField*>(findByName(panel, QStringLiteral("Target z")));
     ASSERT_NE(z, nullptr);
     type("Target z", "-");
     EXPECT_TRUE(z->property("wrong").toBool());
     panel.setTarget(Pose{}); // the value it had before
-    EXPECT_TRUE(z->isComplete());
+    EXPECT_FALSE(z->isRefused());
     EXPECT_FALSE(z->property("wrong").toBool());
 }
 
@@ -112,7 +112,7 @@ TEST_F(TargetPanelTest, ValidityFollowsTheTypingAndSaysWhyNot) {
     EXPECT_TRUE(validity().contains(QStringLiteral("above its maximum 350 mm"))) << validity().toStdString();
     type("Target z", "-");
     EXPECT_FALSE(panel.check());
-    EXPECT_EQ(validity(), "Target z is not a number");
+    EXPECT_EQ(validity(), "Target z: unfinished");
     type("Target z", "40");
     EXPECT_EQ(validity(), "Reachable");
 }

@@ -38,7 +38,7 @@ protected:
     }
     std::string message() { return spokenText(panel, QStringLiteral("Way-point progress")).toStdString(); }
     void settleAt(const Pose& pose) {
-        feed(pose, RunState::Moving);
+        feed(pose, RunState::Moving, {{EventCode::MoveStarted, 2.0}});
         feed(pose, RunState::Enabled, {{EventCode::Settled, 1.0}});
     }
 
@@ -88,9 +88,11 @@ TEST_F(WayPointsTest, ABadRowIsNamedBeforeAnythingMoves) {
     EXPECT_FALSE(panel.isRunning());
     EXPECT_EQ(message().rfind("Row 2: Leg ", 0), 0U) << message();
     panel.table().setPoses(three);
-    panel.table().item(2, 1)->setText(QStringLiteral("5,5"));
-    button("Play")->click();
-    EXPECT_EQ(message(), "Row 3: y is not a number. Nothing moved.");
+    panel.table().item(2, 1)->setText(QStringLiteral("5.5.5"));
+    EXPECT_EQ(message(), "Row 3: y: two decimal marks");
+    EXPECT_FALSE(button("Play")->isEnabled());
+    panel.play();
+    EXPECT_FALSE(panel.isRunning());
     feed(Pose{}, RunState::Enabled);
     EXPECT_TRUE(asked.empty());
 }

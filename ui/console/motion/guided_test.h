@@ -29,7 +29,9 @@ public:
     const Pose& target() const { return m_target; }
     /// Of a test that is done.
     const std::optional<ErrorRow>& result() const { return m_result; }
-    const std::optional<Event>& failure() const { return m_run.failure(); }
+    /// Whether the loop took its Run.
+    bool begun() const { return m_run.begun() > 0; }
+    const PoseSequence& run() const { return m_run; }
 
 private:
     PlatformGeometry m_geometry;

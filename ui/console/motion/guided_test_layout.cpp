@@ -97,14 +97,14 @@ void GuidedTestPanel::showSteps() {
 }
 
 void GuidedTestPanel::showResult() {
-    const std::optional<ErrorRow> row = m_test ? m_test->result() : std::nullopt;
+    const std::optional<ErrorRow> row = m_shown ? m_shown->result() : std::nullopt;
     const bool usable = row && row->solution.isUsable();
     for (int i = 0; i < 6; ++i) {
         const Row& shown = m_rows[static_cast<std::size_t>(i)];
         const auto number = [i](bool there, double si) {
             return there ? std::optional(toDisplay(i, si)) : std::nullopt;
         };
-        shown.target->showNumber(number(m_test.has_value(), m_test ? m_test->target().toVector()[i] : 0.0),
+        shown.target->showNumber(number(m_shown.has_value(), m_shown ? m_shown->target().toVector()[i] : 0.0),
                                  kResultDecimals);
         shown.measured->showNumber(number(usable, usable ? row->solution.pose.toVector()[i] : 0.0),
                                    kResultDecimals);

@@ -4,7 +4,7 @@
 
 #include "ui/common/read_out.h"
 #include "ui/common/status_text.h"
-#include "ui/console/events/event_text.h"
+#include "ui/console/events/sequence_end_text.h"
 
 #include <QEvent>
 #include <QPushButton>
@@ -67,12 +67,10 @@ void GuidedTestPanel::start() {
         tell([] { return tr("No attitude of this test can be reached from here. Nothing moved."); });
         return;
     }
-    emit started();
     m_test.emplace(m_judge.geometry(), m_solver, *target);
     m_ended = false;
     tell([] { return tr("The test is under way; Stop ends it"); });
     showSteps();
-    showResult();
     updateButton();
 }
 
@@ -81,10 +79,17 @@ void GuidedTestPanel::add(const Snapshot& snapshot) {
         return;
     }
     const GuidedTest::Step before = m_test->step();
+    const bool begun = m_test->begun();
     const auto due = m_test->add(snapshot);
+    if (m_test->begun()) {
+        m_shown = m_test; // until then the result of the one before stands
+    }
+    if (m_test->begun() && !begun) {
+        showResult();
+        emit runBegun(m_test->target());
+    }
     if (m_test->step() == GuidedTest::Step::Failed) {
-        const Event cause = m_test->failure().value_or(Event{EventCode::NotSettled});
-        end([cause] { return tr("Ended early: %1").arg(eventText(cause).cause); });
+        end([run = m_test->run()] { return tr("Ended early: %1").arg(sequenceEndText(run)); });
     } else if (m_test->step() == GuidedTest::Step::Done) {
         const int measurements = m_test->result()->sample.measurements;
         const SolveStatus status = m_test->result()->solution.status;
@@ -103,12 +108,6 @@ void GuidedTestPanel::add(const Snapshot& snapshot) {
 void GuidedTestPanel::stopped() {
     if (isRunning()) {
         end([] { return tr("Ended by Stop. Press Clear before the next one."); });
-    }
-}
-
-void GuidedTestPanel::anotherMotion() {
-    if (isRunning()) {
-        end([] { return tr("Ended: another motion was asked for"); });
     }
 }
 

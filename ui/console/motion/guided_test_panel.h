@@ -36,15 +36,14 @@ public:
     void showSnapshot(const Snapshot& snapshot);
 
     bool isRunning() const;
-    void stopped();       ///< Stop was pressed
-    void anotherMotion(); ///< something else was asked for
+    void stopped(); ///< Stop was pressed
 
 public slots:
     void start();
 
 signals:
-    void started(); ///< before its Run
     void runRequested(const hexapose::Pose& target);
+    void runBegun(const hexapose::Pose& target); ///< the loop took it
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -74,7 +73,8 @@ private:
     MotionMode m_mode = MotionMode::Joint;
     std::optional<Pose> m_measured; ///< present and usable
     std::optional<GuidedTest> m_test;
-    bool m_ended = true; ///< no test, or one that is over
+    std::optional<GuidedTest> m_shown; ///< the last one that moved the platform
+    bool m_ended = true;               ///< no test, or one that is over
     bool m_connected = false;
     bool m_ready = false; ///< a Run would be taken
     Text m_text;

@@ -10,22 +10,21 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QKeyEvent>
+#include <QMouseEvent>
 #include <QPushButton>
 
 #include <algorithm>
+#include <utility>
 
 // What the jog panel does; jog_panel_layout.cpp is how it looks and what it says.
 namespace hexapose {
 
 namespace {
 
-/// Some desktops repeat a held key as a release and a press that nothing marks, at once or a little apart: a
-/// release counts when no press has followed by then. Nobody presses a key again as fast.
-constexpr std::chrono::milliseconds kKeyUp{20};
-
 /// Events after which a jog that is held does not come about.
 bool endsTheJog(EventCode code) {
-    return code == EventCode::MoveRefused || code == EventCode::CommandRefused;
+    return code == EventCode::MoveRefused || code == EventCode::CommandRefused ||
+           code == EventCode::PreparationFailed;
 }
 
 bool drivesOn(RunState state) {
@@ -47,11 +46,7 @@ JogPanel::JogPanel(const PlatformGeometry& geometry, QWidget* parent,
         m_heldButton = nullptr;
         emit releaseRequested();
     });
-    m_keyUp.setSingleShot(true);
-    m_keyUp.setInterval(kKeyUp);
-    m_keyUp.setTimerType(Qt::PreciseTimer);
-    connect(&m_keyUp, &QTimer::timeout, this, [this] {
-        m_downKey = 0;
+    connect(&m_keys, &DownKeys::up, this, [this] {
         if (m_heldByKey) {
             m_hold.end();
         }
@@ -72,21 +67,24 @@ void JogPanel::setConnected(bool connected) {
 void JogPanel::add(const Snapshot& snapshot) {
     for (const Event& event : snapshot.events) {
         m_jogging = m_jogging || event.code == EventCode::JogStarted;
+        if (event.code == EventCode::MoveStarted) {
+            m_stepping = std::exchange(m_stepAsked, false);
+        }
         if (endsTheJog(event.code)) {
             m_hold.end();
+            m_stepAsked = false;
         }
     }
     if (snapshot.state != RunState::Moving) {
-        m_jogging = false;
+        m_jogging = m_stepping = false;
     }
+    m_stepAsked = m_stepAsked && drivesOn(snapshot.state);
 }
 
 void JogPanel::showSnapshot(const Snapshot& snapshot) {
-    const bool changed = snapshot.state != m_latest.state || snapshot.stale != m_latest.stale ||
-                         snapshot.link != m_latest.link;
     m_latest = snapshot;
     m_judge.follow(snapshot);
-    if (changed) {
+    if (hindrance() != m_hindrance) {
         updateButtons();
     }
     showRanges();
@@ -121,11 +119,16 @@ void JogPanel::press(const JogDirection& direction) {
 }
 
 void JogPanel::takeStep(const JogDirection& direction) {
-    const bool stands = m_latest.state == RunState::Enabled || m_latest.state == RunState::Settling;
     const auto size = step(direction.axis);
-    if (!size || !stands || !canHold()) {
+    if (!size || !m_keys.isEmpty() || !m_latest.measuredPose || !hindrance().isEmpty()) {
         return;
     }
+    m_tooSoon = m_stepAsked || m_latest.state == RunState::Moving;
+    showHint();
+    if (m_tooSoon) {
+        return;
+    }
+    m_stepAsked = true;
     // From where it was sent, so that steps add up; after a jog or a stop from where it is.
     emit stepRequested(stepped(m_latest.goalPose.value_or(*m_latest.measuredPose), direction, *size));
 }
@@ -143,19 +146,21 @@ std::optional<JogDirection> JogPanel::directionOfKey(const QObject* at, const QK
 
 bool JogPanel::keyPressed(const QObject* at, const QKeyEvent& key) {
     const auto direction = directionOfKey(at, key);
-    if (key.isAutoRepeat() || key.key() == m_downKey) {
-        m_keyUp.stop(); // the keyboard repeats, the hand does not
+    if (key.isAutoRepeat() || m_keys.contains(key.key())) { // the keyboard repeats, the hand does not
+        if (direction) {
+            m_keys.press(key.key());
+        }
         return direction.has_value();
     }
-    if (m_hold.direction()) {
-        m_hold.end(); // a second key beside what is held leaves it unclear what is meant
-        return key.key() != Qt::Key_Escape;
-    }
-    if (!direction) {
+    const bool second = !m_keys.isEmpty() || m_mouseDown || m_hold.direction();
+    if (!direction && !m_hold.direction()) {
         return false;
     }
-    m_keyUp.stop();
-    m_downKey = key.key();
+    if (second) {
+        m_hold.end(); // beside what is held it is not clear what is meant
+        m_keys.press(key.key());
+        return key.key() != Qt::Key_Escape;
+    }
     if (step(direction->axis)) {
         takeStep(*direction);
     } else {
@@ -163,32 +168,72 @@ bool JogPanel::keyPressed(const QObject* at, const QKeyEvent& key) {
         m_heldByKey = m_hold.direction().has_value();
         button(direction->axis, direction->up)->setDown(m_heldByKey);
     }
+    m_keys.press(key.key());
     return true;
 }
 
-bool JogPanel::keyReleased(const QKeyEvent& key) {
+bool JogPanel::keyReleased(const QObject* at, const QKeyEvent& key) {
+    if (key.isAutoRepeat()) {
+        return m_keys.contains(key.key());
+    }
+    const bool known = m_keys.contains(key.key());
+    // Held since before the focus came: the press that may follow is none.
+    if (known || directionOfKey(at, key)) {
+        m_keys.release(key.key());
+    }
     if (m_heldByKey && key.key() == Qt::Key_Shift) {
         m_hold.end();
         return true;
     }
-    if (key.key() != m_downKey) {
-        return false;
+    return known;
+}
+
+void JogPanel::mouseEvent(const QEvent& event) {
+    if (static_cast<const QMouseEvent&>(event).button() == Qt::LeftButton) {
+        m_mouseDown = event.type() != QEvent::MouseButtonRelease;
+        m_mouseUsed = false;
     }
-    if (!key.isAutoRepeat()) {
-        m_keyUp.start();
+}
+
+/// Qt says it again when the pointer comes back to the button, without a new press.
+void JogPanel::buttonPressed(QPushButton* made, const JogDirection& direction) {
+    if (step(direction.axis) || (m_mouseDown && std::exchange(m_mouseUsed, true))) {
+        return;
     }
-    return true;
+    if (!m_keys.isEmpty() || m_hold.direction()) {
+        m_hold.end();
+        return;
+    }
+    press(direction);
+    m_heldButton = m_hold.direction() ? made : nullptr;
+}
+
+void JogPanel::focusLost() {
+    m_hold.end();
+    const QWidget* now = QApplication::focusWidget();
+    if (now == nullptr || (now != m_pad && !m_pad->isAncestorOf(now))) {
+        m_keys.clear(); // their releases go elsewhere
+    }
 }
 
 bool JogPanel::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::KeyPress && keyPressed(watched, *static_cast<QKeyEvent*>(event))) {
-        return true;
-    }
-    if (event->type() == QEvent::KeyRelease && keyReleased(*static_cast<QKeyEvent*>(event))) {
-        return true;
-    }
-    if (event->type() == QEvent::FocusOut) { // to another widget, another window or a popup
-        m_hold.end();
+    switch (event->type()) {
+    case QEvent::KeyPress:
+        return keyPressed(watched, *static_cast<QKeyEvent*>(event));
+    case QEvent::KeyRelease:
+        return keyReleased(watched, *static_cast<QKeyEvent*>(event));
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonDblClick:
+    case QEvent::MouseButtonRelease:
+        if (watched != m_pad) {
+            mouseEvent(*event);
+        }
+        break;
+    case QEvent::FocusOut: // to another widget, another window or a popup
+        focusLost();
+        break;
+    default:
+        break;
     }
     return QWidget::eventFilter(watched, event);
 }
@@ -196,12 +241,14 @@ bool JogPanel::eventFilter(QObject* watched, QEvent* event) {
 bool JogPanel::event(QEvent* event) {
     if (event->type() == QEvent::WindowDeactivate) {
         m_hold.end();
+        m_keys.clear();
     }
     return QWidget::event(event);
 }
 
 void JogPanel::hideEvent(QHideEvent* event) {
     m_hold.end();
+    m_keys.clear();
     QWidget::hideEvent(event);
 }
 
@@ -212,9 +259,15 @@ void JogPanel::showEvent(QShowEvent* event) {
 }
 
 void JogPanel::updateButtons() {
-    const bool on = hindrance().isEmpty();
+    m_hindrance = hindrance();
+    const bool on = m_hindrance.isEmpty();
     if (!on) {
         m_hold.end();
+        // Qt would hand the focus of a disabled button on, and the next key might press what gets it.
+        if (const QWidget* focused = QApplication::focusWidget();
+            focused != nullptr && focused != m_pad && m_pad->isAncestorOf(focused)) {
+            m_pad->setFocus();
+        }
     }
     for (QPushButton* button : m_buttons) {
         button->setEnabled(on);

@@ -4,6 +4,7 @@
 
 #include "core/motion/jog.h"
 #include "core/record/snapshot.h"
+#include "ui/console/motion/down_keys.h"
 #include "ui/console/motion/jog_hold.h"
 #include "ui/console/motion/move_judge.h"
 
@@ -25,6 +26,7 @@ class TextReadOut;
 
 /// Twelve buttons that move the platform along and about the axes: as long as one is held, or a step a click.
 /// Let go, out of focus, out of sight, behind a popup or in a window that is not in front: released at once.
+/// One press is one jog: a second key or button ends it, and nothing starts before all of them are up.
 class JogPanel final : public QWidget {
     Q_OBJECT
 public:
@@ -39,6 +41,8 @@ public:
     void showSnapshot(const Snapshot& snapshot);
     void release() { m_hold.end(); }
     JogHold& hold() { return m_hold; }
+    /// No key and no button is down, so that the next press can start a jog.
+    bool isAllUp() const { return m_keys.isEmpty() && !m_mouseDown; }
 
 signals:
     void jogRequested(const hexapose::JogDirection& direction);
@@ -66,7 +70,10 @@ private:
     void takeStep(const JogDirection& direction);
     std::optional<JogDirection> directionOfKey(const QObject* at, const QKeyEvent& key) const;
     bool keyPressed(const QObject* at, const QKeyEvent& key);
-    bool keyReleased(const QKeyEvent& key);
+    bool keyReleased(const QObject* at, const QKeyEvent& key);
+    void mouseEvent(const QEvent& event);
+    void focusLost();
+    void buttonPressed(QPushButton* made, const JogDirection& direction);
     void showRanges();
     QString hindrance() const;
     void showHint();
@@ -76,11 +83,16 @@ private:
     MoveJudge m_judge;
     JogHold m_hold;
     Snapshot m_latest;
+    QString m_hindrance; ///< that the buttons show
     bool m_connected = false;
     bool m_jogging = false;   ///< what moves is a jog of ours
+    bool m_stepAsked = false; ///< a step was asked for, and no answer has come yet
+    bool m_stepping = false;  ///< what moves is a step of ours
+    bool m_tooSoon = false;   ///< the last step was asked for while another was under way
     bool m_heldByKey = false; ///< and not by the mouse
-    int m_downKey = 0;        ///< a jog key that has not been let go; 0: none
-    QTimer m_keyUp;           ///< its release, until it is known to be none of a repetition
+    DownKeys m_keys;          ///< on the pad
+    bool m_mouseDown = false; ///< on a button, or with the pointer moved off it
+    bool m_mouseUsed = false; ///< that press has started its jog
     QPushButton* m_heldButton = nullptr;
     QElapsedTimer m_sinceRanges;
     QLabel* m_frameLabel = nullptr;

@@ -74,6 +74,7 @@ void JogPanel::build() {
     });
     connect(m_step, &QComboBox::currentIndexChanged, this, [this] {
         m_hold.end();
+        m_tooSoon = false;
         showHint();
     });
 }
@@ -85,12 +86,8 @@ void JogPanel::addRow(QGridLayout& grid, int axis) {
         made->setText((up ? QStringLiteral("+ ") : QString::fromUtf8("\u2212 ")) + text.symbol);
         made->installEventFilter(this);
         button(axis, up) = made;
-        connect(made, &QPushButton::pressed, this, [this, made, axis, up] {
-            if (!step(axis)) {
-                press(directionOf(axis, up));
-                m_heldButton = m_hold.direction() ? made : nullptr;
-            }
-        });
+        connect(made, &QPushButton::pressed, this,
+                [this, made, axis, up] { buttonPressed(made, directionOf(axis, up)); });
         connect(made, &QPushButton::released, this, [this, made] {
             if (m_heldButton == made) {
                 m_hold.end();
@@ -141,8 +138,9 @@ QString JogPanel::hindrance() const {
     case RunState::Disabled:
     case RunState::Disconnected:
         return tr("Press Enable first; a jog needs the drives on");
-    case RunState::Enabled:
     case RunState::Moving:
+        return m_jogging || m_stepping ? QString() : tr("Wait until the motion is over, or press Stop");
+    case RunState::Enabled:
     case RunState::Settling:
         break;
     }
@@ -152,6 +150,8 @@ QString JogPanel::hindrance() const {
 void JogPanel::showHint() {
     if (const QString why = hindrance(); !why.isEmpty()) {
         m_hint->showText(why);
+    } else if (m_tooSoon) {
+        m_hint->showText(tr("That step was not taken: the one before was still under way. Press again."));
     } else if (m_step->currentIndex() == 0) {
         m_hint->showText(tr("Moves while a button is held. Keys, with the focus here: arrows for x and y, "
                             "page up and down for z, with Shift about them"));

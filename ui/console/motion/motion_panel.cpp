@@ -77,43 +77,23 @@ void MotionPanel::wire() {
     stopKey->setContext(Qt::ApplicationShortcut);
     connect(stopKey, &QShortcut::activated, this, &MotionPanel::stop);
 
-    connect(m_target, &TargetPanel::runRequested, this, [this](const Pose& pose) {
-        endLists();
-        emit motionBegins();
-        run(pose, mode());
-    });
+    // What is asked for here changes nothing by itself: a list or a test ends when the loop has begun another
+    // motion, which it sees in the snapshots.
+    const auto run = [this](const Pose& pose) { emit commandRequested(RunCommand{pose, mode()}); };
+    connect(m_target, &TargetPanel::runRequested, this, run);
+    connect(m_wayPoints, &WayPointsPanel::runRequested, this, run);
+    connect(m_test, &GuidedTestPanel::runRequested, this, run);
+    connect(m_wayPoints, &WayPointsPanel::runBegun, m_target, &TargetPanel::setTarget);
+    connect(m_test, &GuidedTestPanel::runBegun, m_target, &TargetPanel::setTarget);
     connect(m_jog, &JogPanel::stepRequested, this, [this](const Pose& pose) {
-        endLists();
-        emit motionBegins();
-        run(pose, MotionMode::Workspace);
+        emit commandRequested(RunCommand{pose, MotionMode::Workspace});
     });
-    connect(m_jog, &JogPanel::jogRequested, this, [this](const JogDirection& direction) {
-        endLists(); // one that stands between two poses would take the jog for its own motion
-        emit motionBegins();
-        emit commandRequested(JogCommand{direction});
-    });
+    connect(m_jog, &JogPanel::jogRequested, this,
+            [this](const JogDirection& direction) { emit commandRequested(JogCommand{direction}); });
     connect(m_jog, &JogPanel::releaseRequested, this, [this] { emit commandRequested(JogReleaseCommand{}); });
     m_wayPoints->setTargetSource([this] { return m_target->target(); });
+    connect(m_target, &TargetPanel::targetEdited, m_wayPoints, &WayPointsPanel::updateButtons);
     connect(m_wayPoints, &WayPointsPanel::holdRequested, m_speed, &SpeedControl::setHeld);
-    connect(m_wayPoints, &WayPointsPanel::started, this, [this] {
-        m_test->anotherMotion();
-        emit motionBegins();
-    });
-    connect(m_test, &GuidedTestPanel::started, this, [this] {
-        m_wayPoints->anotherMotion();
-        emit motionBegins();
-    });
-    const auto runNext = [this](const Pose& pose) {
-        m_target->setTarget(pose);
-        run(pose, mode());
-    };
-    connect(m_wayPoints, &WayPointsPanel::runRequested, this, runNext);
-    connect(m_test, &GuidedTestPanel::runRequested, this, runNext);
-}
-
-void MotionPanel::run(const Pose& target, MotionMode mode) {
-    m_jog->release();
-    emit commandRequested(RunCommand{target, mode});
 }
 
 void MotionPanel::stop() {
@@ -122,11 +102,6 @@ void MotionPanel::stop() {
     m_jog->release();
     m_wayPoints->stopped();
     m_test->stopped();
-}
-
-void MotionPanel::endLists() {
-    m_wayPoints->anotherMotion();
-    m_test->anotherMotion();
 }
 
 MotionMode MotionPanel::mode() const {

@@ -40,8 +40,6 @@ public:
 
     MotionMode mode() const;
     void showPage(Page page);
-    /// A motion of somebody else begins: the lists of this panel end.
-    void endLists();
 
     TargetPanel& target() { return *m_target; }
     JogPanel& jog() { return *m_jog; }
@@ -55,8 +53,6 @@ public slots:
 signals:
     void commandRequested(const hexapose::OperatorCommand& command);
     void stopRequested();
-    /// Something of this panel is about to move the platform.
-    void motionBegins();
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -64,7 +60,6 @@ protected:
 private:
     void build();
     void wire();
-    void run(const Pose& target, MotionMode mode);
     void retranslate();
 
     QLabel* m_modeLabel;

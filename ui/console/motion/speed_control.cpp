@@ -32,7 +32,6 @@ SpeedControl::SpeedControl(QWidget* parent)
     m_slider->setValue(kFullPercent);
     m_slider->setMinimumWidth(60);
     m_slider->setMinimumHeight(kSliderHeight);
-    m_slider->installEventFilter(this);
     m_readOut->setDigits(6);
     m_readOut->setMaximumWidth(m_readOut->minimumWidth());
     auto* row = new QHBoxLayout(this);
@@ -72,15 +71,6 @@ void SpeedControl::showSnapshot(const Snapshot& snapshot) {
     if (loop && differs && (!m_sinceSaid.isValid() || m_sinceSaid.elapsed() > kSayAgainMs)) {
         say();
     }
-}
-
-/// Scrolling the mouse over the slider must not change a speed by accident.
-bool SpeedControl::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::Wheel && !m_slider->hasFocus()) {
-        event->ignore();
-        return true;
-    }
-    return QWidget::eventFilter(watched, event);
 }
 
 void SpeedControl::showPart() {

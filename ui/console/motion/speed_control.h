@@ -34,7 +34,6 @@ signals:
     void partRequested(double part);
 
 protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
     void changeEvent(QEvent* event) override;
 
 private:

@@ -4,7 +4,7 @@
 
 #include "core/base/number_text.h"
 #include "ui/common/card.h"
-#include "ui/common/pose_field.h"
+#include "ui/common/number_field.h"
 #include "ui/common/read_out.h"
 #include "ui/common/status_text.h"
 #include "ui/common/theme.h"
@@ -72,9 +72,11 @@ void TargetPanel::buildFields(QVBoxLayout& column) {
     for (int i = 0; i < 6; ++i) {
         const auto at = static_cast<std::size_t>(i);
         const CoordinateText& text = coordinateTexts()[at];
-        auto* field = new PoseField(this);
+        auto* field = new NumberField(coordinateBounds(i), this);
+        field->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        field->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("-0000.000")) + 18);
         m_fields[at] = field;
-        connect(field, &PoseField::edited, this, &TargetPanel::judge);
+        connect(field, &NumberField::edited, this, &TargetPanel::judge);
         auto* label = new QLabel(text.symbol, this);
         label->setMinimumWidth(16);
         m_ranges[at] = makeMutedLabel(this, Qt::AlignRight | Qt::AlignVCenter);
@@ -143,14 +145,36 @@ void TargetPanel::setConnected(bool connected) {
 }
 
 void TargetPanel::updateRun() {
-    m_run->setEnabled(m_connected && m_hindrance.isEmpty());
-    if (!m_connected) {
-        m_run->setToolTip(tr("Cannot run: nothing is connected"));
-    } else if (!m_hindrance.isEmpty()) {
-        m_run->setToolTip(m_hindrance);
-    } else {
-        m_run->setToolTip(tr("Move to the target; references and enables first when that is needed"));
+    const QString reason = runReason();
+    m_run->setEnabled(reason.isEmpty());
+    m_run->setToolTip(reason.isEmpty()
+                          ? tr("Move to the target; references and enables first when that is needed")
+                          : reason);
+    m_run->setAccessibleDescription(m_run->toolTip());
+}
+
+/// The first field that is refused, and why; empty when the target is whole.
+QString TargetPanel::refusedField() const {
+    for (std::size_t i = 0; i < m_fields.size(); ++i) {
+        if (m_fields[i]->isRefused()) {
+            return tr("Target %1: %2").arg(coordinateTexts()[i].symbol, m_fields[i]->refusal());
+        }
     }
+    return {};
+}
+
+/// Why Run cannot be pressed; empty when it can.
+QString TargetPanel::runReason() const {
+    if (const QString refused = refusedField(); !refused.isEmpty()) {
+        return refused;
+    }
+    if (!m_connected) {
+        return tr("Cannot run: nothing is connected");
+    }
+    if (!m_hindrance.isEmpty()) {
+        return m_hindrance;
+    }
+    return m_verdict && !m_verdict->ok() ? motionCheckText(*m_verdict) : QString();
 }
 
 void TargetPanel::showSnapshot(const Snapshot& snapshot) {
@@ -199,8 +223,7 @@ void TargetPanel::setTarget(const Pose& pose) {
 std::optional<Pose> TargetPanel::target() const {
     PoseVector si;
     for (int i = 0; i < 6; ++i) {
-        const PoseField& field = *m_fields[static_cast<std::size_t>(i)];
-        const auto typed = parseNumber(field.text().toStdString());
+        const auto typed = m_fields[static_cast<std::size_t>(i)]->value();
         if (!typed) {
             return std::nullopt;
         }
@@ -211,8 +234,7 @@ std::optional<Pose> TargetPanel::target() const {
 
 void TargetPanel::run() {
     judge();
-    // The engine judges again, and tells a refusal; a field without a number has no target to send.
-    if (const auto pose = target()) {
+    if (const auto pose = target(); pose && runReason().isEmpty()) {
         emit runRequested(*pose);
     }
 }
@@ -234,20 +256,34 @@ void TargetPanel::judge() {
     if (m_named != nullptr) {
         m_named->setTargetWhole(pose.has_value());
     }
+    emit targetEdited();
+    updateRun();
     showVerdict();
     showRanges();
 }
 
 void TargetPanel::showRanges() {
     for (int i = 0; i < 6; ++i) {
+        const NumberField& field = *m_fields[static_cast<std::size_t>(i)];
+        QLabel& label = *m_ranges[static_cast<std::size_t>(i)];
+        setTone(label, field.isRefused() ? Tone::Bad : Tone::Idle);
+        if (field.isRefused()) {
+            label.setText(field.refusal());
+            continue;
+        }
         const auto range = m_measured
                                ? axisRange(m_judge.geometry(), m_judge.limitsAt(*m_measured), *m_measured, i)
                                : std::nullopt;
-        m_ranges[static_cast<std::size_t>(i)]->setText(range ? rangeText(*range, i) : ReadOut::dash());
+        label.setText(range ? rangeText(*range, i) : ReadOut::dash());
     }
 }
 
 void TargetPanel::showVerdict() {
+    if (const QString refused = refusedField(); !refused.isEmpty()) {
+        setTone(*m_lamp, Tone::Bad);
+        m_validity->showText(refused);
+        return;
+    }
     if (!m_hindrance.isEmpty()) {
         setTone(*m_lamp, Tone::Warn);
         m_validity->showText(m_hindrance);
@@ -261,14 +297,6 @@ void TargetPanel::showVerdict() {
     if (m_verdict) {
         setTone(*m_lamp, m_verdict->ok() ? Tone::Good : Tone::Bad);
         m_validity->showText(motionCheckText(*m_verdict));
-        return;
-    }
-    setTone(*m_lamp, Tone::Bad);
-    for (std::size_t i = 0; i < m_fields.size(); ++i) {
-        if (!m_fields[i]->isComplete()) {
-            m_validity->showText(tr("Target %1 is not a number").arg(coordinateTexts()[i].symbol));
-            return;
-        }
     }
 }
 
@@ -289,10 +317,11 @@ void TargetPanel::retranslate() {
         button->setToolTip(tip);
     };
     name(m_run, tr("Run"), {});
-    updateRun();
     name(m_reset, tr("Reset"), tr("Put the home pose into the fields; nothing moves"));
     name(m_copy, tr("Copy measured"), tr("Put the measured pose into the fields; nothing moves"));
+    updateRun();
     showVerdict();
+    showRanges();
 }
 
 void TargetPanel::changeEvent(QEvent* event) {

@@ -18,7 +18,7 @@ class QVBoxLayout;
 namespace hexapose {
 
 class NamedPoses;
-class PoseField;
+class NumberField;
 class TextReadOut;
 
 /// Where to go: six fields, whether that can be reached and why not, Run and Reset.
@@ -35,10 +35,10 @@ public:
     void showSnapshot(const Snapshot& snapshot);
 
     void setTarget(const Pose& pose);
-    /// Nothing while a field holds no number.
+    /// Nothing while a field is refused.
     std::optional<Pose> target() const;
     std::optional<MotionCheck> check() const { return m_verdict; }
-    const std::array<PoseField*, 6>& fields() const { return m_fields; }
+    const std::array<NumberField*, 6>& fields() const { return m_fields; }
     NamedPoses& namedPoses() { return *m_named; }
 
 public slots:
@@ -46,6 +46,7 @@ public slots:
 
 signals:
     void runRequested(const hexapose::Pose& target);
+    void targetEdited(); ///< or judged anew
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -61,6 +62,8 @@ private:
     void showRanges();
     void showVerdict();
     void updateRun();
+    QString refusedField() const;
+    QString runReason() const;
     void retranslate();
 
     MoveJudge m_judge;
@@ -71,7 +74,7 @@ private:
     std::optional<Pose> m_judgedFrom; ///< where it was then
     std::optional<MotionCheck> m_verdict;
     QElapsedTimer m_sinceJudged;
-    std::array<PoseField*, 6> m_fields{};
+    std::array<NumberField*, 6> m_fields{};
     std::array<QLabel*, 6> m_ranges{};
     QLabel* m_rangeTitle = nullptr;
     QLabel* m_lamp = nullptr;

@@ -3,15 +3,18 @@
 #include "ui/console/motion/way_point_table.h"
 
 #include "core/base/number_text.h"
+#include "ui/common/number_field.h"
 #include "ui/common/status_text.h"
 
 #include <QEvent>
 #include <QHeaderView>
 #include <QSignalBlocker>
+#include <QStyledItemDelegate>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <functional>
+#include <utility>
 
 namespace hexapose {
 
@@ -32,9 +35,28 @@ QString shortNumber(double value) {
     return text == "-0" ? QStringLiteral("0") : QString::fromStdString(text);
 }
 
+/// A cell is edited in the field that all numbers are typed into; its text is carried over as it is.
+class CellEditor final : public QStyledItemDelegate {
+public:
+    CellEditor(std::function<void(NumberField*)> opened, QObject* parent)
+        : QStyledItemDelegate(parent), m_opened(std::move(opened)) {}
+    QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& /*option*/,
+                          const QModelIndex& index) const override {
+        auto* field = new NumberField(coordinateBounds(index.column()), parent);
+        field->setFrame(false);
+        field->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        m_opened(field);
+        return field;
+    }
+
+private:
+    std::function<void(NumberField*)> m_opened;
+};
+
 } // namespace
 
 WayPointTable::WayPointTable(QWidget* parent) : QTableWidget(0, kCoordinates, parent) {
+    setItemDelegate(new CellEditor([this](NumberField* field) { m_editor = field; }, this));
     QStringList heads;
     for (const CoordinateText& text : coordinateTexts()) {
         heads << text.symbol;
@@ -109,25 +131,34 @@ void WayPointTable::writeRow(int row, const Pose& pose) {
     paintRow(row);
 }
 
-std::optional<double> WayPointTable::numberAt(int row, int column) const {
+QString WayPointTable::textAt(int row, int column) const {
     const QTableWidgetItem* cell = item(row, column);
-    const auto number = cell != nullptr ? parseNumber(cell->text().trimmed().toStdString()) : std::nullopt;
-    return number && std::isfinite(*number) ? number : std::nullopt;
+    return cell != nullptr ? cell->text() : QString();
 }
 
-int WayPointTable::wrongCoordinate(int row) const {
-    for (int i = 0; i < kCoordinates; ++i) {
-        if (!numberAt(row, i)) {
-            return i;
+std::optional<WayPointTable::Refusal> WayPointTable::refusal() const {
+    for (int row = 0; row < rowCount(); ++row) {
+        for (int i = 0; i < kCoordinates; ++i) {
+            if (const NumberReading read = readNumber(textAt(row, i), coordinateBounds(i)); !read.value) {
+                return Refusal{row, i, read.refusal};
+            }
         }
     }
-    return -1;
+    return std::nullopt;
+}
+
+void WayPointTable::finishEditing() {
+    if (m_editor) {
+        NumberField* editor = std::exchange(m_editor, nullptr);
+        commitData(editor);
+        closeEditor(editor, QAbstractItemDelegate::NoHint);
+    }
 }
 
 std::optional<Pose> WayPointTable::poseAt(int row) const {
     PoseVector si;
     for (int i = 0; i < kCoordinates; ++i) {
-        const auto number = numberAt(row, i);
+        const auto number = readNumber(textAt(row, i), coordinateBounds(i)).value;
         if (!number) {
             return std::nullopt;
         }
@@ -139,6 +170,7 @@ std::optional<Pose> WayPointTable::poseAt(int row) const {
 void WayPointTable::removeCurrent() {
     if (currentRow() >= 0) {
         removeRow(currentRow());
+        numberRows();
         emit edited();
     }
 }
@@ -190,17 +222,26 @@ void WayPointTable::paintRow(int row) {
         if (cell == nullptr) {
             continue;
         }
+        const QString refusal = readNumber(cell->text(), coordinateBounds(i)).refusal;
         QFont font = this->font();
         font.setBold(row == m_marked);
-        font.setStrikeOut(!numberAt(row, i));
+        font.setStrikeOut(!refusal.isEmpty());
         cell->setFont(font);
         cell->setBackground(row == m_marked ? QBrush(ground) : QBrush());
-        cell->setToolTip(cell->text());
+        cell->setToolTip(refusal.isEmpty() ? cell->text() : cell->text() + QStringLiteral(": ") + refusal);
+        cell->setData(Qt::AccessibleDescriptionRole, refusal);
     }
     auto* head = new QTableWidgetItem((row == m_marked ? QString::fromUtf8("\u25b6 ") : QString()) +
                                       QString::number(row + 1));
     setVerticalHeaderItem(row, head);
     viewport()->update();
+}
+
+/// A head goes with its row, and would keep the number that the row had.
+void WayPointTable::numberRows() {
+    for (int row = 0; row < rowCount(); ++row) {
+        paintRow(row);
+    }
 }
 
 void WayPointTable::setEditable(bool editable) {

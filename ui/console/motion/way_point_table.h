@@ -4,6 +4,7 @@
 
 #include "core/geometry/pose.h"
 
+#include <QPointer>
 #include <QTableWidget>
 
 #include <optional>
@@ -11,8 +12,10 @@
 
 namespace hexapose {
 
-/// Poses to be visited, one a row, in mm and degrees. A cell takes what is typed; whether that is a number
-/// poseAt() says.
+class NumberField;
+
+/// Poses to be visited, one a row, in mm and degrees. A cell keeps what is typed, as a NumberField does;
+/// whether that is understood poseAt() says.
 class WayPointTable final : public QTableWidget {
     Q_OBJECT
 public:
@@ -20,10 +23,17 @@ public:
 
     void setPoses(const std::vector<Pose>& poses);
     void append(const Pose& pose);
-    /// Nothing where a cell of the row is no number.
+    /// Nothing where a cell of the row is refused.
     std::optional<Pose> poseAt(int row) const;
-    /// The first coordinate (0..5) of a row that is no number; -1 for none.
-    int wrongCoordinate(int row) const;
+    /// The first cell that is refused, and why.
+    struct Refusal {
+        int row;
+        int coordinate; ///< 0..5
+        QString reason;
+    };
+    std::optional<Refusal> refusal() const;
+    /// Takes what stands in an open editor, as if it had been left.
+    void finishEditing();
     void removeCurrent();
     void moveCurrent(int by); ///< -1: up, 1: down
     /// The row that is being visited; -1: none. It stays in sight.
@@ -39,12 +49,14 @@ protected:
     void resizeEvent(QResizeEvent* event) override;
 
 private:
-    std::optional<double> numberAt(int row, int column) const;
+    QString textAt(int row, int column) const;
     void writeRow(int row, const Pose& pose);
     void paintRow(int row);
+    void numberRows();
     void fitColumns();
 
     int m_marked = -1;
+    QPointer<NumberField> m_editor; ///< of the cell that is being edited
 };
 
 } // namespace hexapose

@@ -56,7 +56,7 @@ void WayPointsPanel::build() {
     column->addLayout(ordering);
     column->addWidget(m_message);
 
-    connect(m_table, &WayPointTable::edited, this, &WayPointsPanel::updateButtons);
+    connect(m_table, &WayPointTable::edited, this, &WayPointsPanel::followTable);
     connect(m_table, &QTableWidget::itemSelectionChanged, this, &WayPointsPanel::updateButtons);
     connect(m_addMeasured, &QPushButton::clicked, this, [this] { addPose(m_measured); });
     connect(m_addTarget, &QPushButton::clicked, this,
@@ -94,8 +94,7 @@ void WayPointsPanel::retranslate() {
     m_table->setAccessibleName(tr("Way-points"));
     m_table->setToolTip(tr("x y z in mm, alpha beta gamma in degrees; a double click edits"));
     name(m_addMeasured, tr("+ Measured"), tr("Add measured"), tr("Add the measured pose; nothing moves"));
-    name(m_addTarget, tr("+ Target"), tr("Add target"),
-         tr("Add the pose of the target's fields; nothing moves"));
+    name(m_addTarget, tr("+ Target"), tr("Add target"), {});
     name(m_load, tr("Load..."), tr("Load way-points"),
          tr("From CSV: columns x_mm, y_mm, z_mm, alpha_deg, beta_deg, gamma_deg"));
     name(m_save, tr("Save..."), tr("Save way-points"), tr("As CSV, of the same columns"));
@@ -106,7 +105,7 @@ void WayPointsPanel::retranslate() {
     name(m_up, QString::fromUtf8("\u2191"), tr("Move up"), tr("Move the chosen row up"));
     name(m_down, QString::fromUtf8("\u2193"), tr("Move down"), tr("Move the chosen row down"));
     m_message->setAccessibleName(tr("Way-point progress"));
-    m_message->showText(m_text());
+    followTable();
 }
 
 } // namespace hexapose

@@ -6,8 +6,8 @@
 #include "core/record/pose_list.h"
 #include "ui/common/read_out.h"
 #include "ui/common/status_text.h"
-#include "ui/console/events/event_text.h"
 #include "ui/console/events/motion_check_text.h"
+#include "ui/console/events/sequence_end_text.h"
 #include "ui/console/motion/way_point_file.h"
 #include "ui/console/motion/way_point_table.h"
 
@@ -38,6 +38,9 @@ void WayPointsPanel::setConnected(bool connected) {
         const QString row = QString::number(visited() + 1);
         end([row] { return tr("Ended at way-point %1: the connection was closed").arg(row); });
     }
+    if (!connected) {
+        setPaused(false); // there is nothing to hold
+    }
     updateButtons();
 }
 
@@ -45,6 +48,14 @@ void WayPointsPanel::showSnapshot(const Snapshot& snapshot) {
     m_judge.follow(snapshot);
     m_measured = snapshot.stale ? std::nullopt : snapshot.measuredPose;
     m_ready = runHindrance(snapshot).isEmpty() && m_measured.has_value();
+    if (snapshot.state == RunState::Stopped || snapshot.state == RunState::Fault) {
+        setPaused(false); // what was held is over, and nothing moves before Clear
+    }
+    updateButtons();
+}
+
+void WayPointsPanel::setTargetSource(std::function<std::optional<Pose>()> target) {
+    m_target = std::move(target);
     updateButtons();
 }
 
@@ -74,11 +85,7 @@ bool WayPointsPanel::judgeRows(int first, int count, std::vector<Pose>& poses) {
         const QString number = QString::number(row + 1);
         const auto pose = m_table->poseAt(row);
         if (!pose) {
-            const QString symbol =
-                coordinateTexts()[static_cast<std::size_t>(m_table->wrongCoordinate(row))].symbol;
-            tell([=] { return tr("Row %1: %2 is not a number. Nothing moved.").arg(number, symbol); });
-            m_table->setCurrentCell(row, m_table->wrongCoordinate(row));
-            return false;
+            return false; // the message has it already
         }
         const MotionCheck check = from ? m_judge.move(*from, *pose, m_mode) : m_judge.pose(*pose);
         if (!check.ok()) {
@@ -93,12 +100,12 @@ bool WayPointsPanel::judgeRows(int first, int count, std::vector<Pose>& poses) {
 }
 
 void WayPointsPanel::start(int first, int count) {
+    m_table->finishEditing();
     std::vector<Pose> poses;
-    if (isRunning() || !m_connected || !m_ready || count < 1 || !judgeRows(first, count, poses)) {
+    if (isRunning() || m_refusal || !m_connected || !m_ready || count < 1 ||
+        !judgeRows(first, count, poses)) {
         return;
     }
-    emit started();
-    setPaused(false);
     m_first = first;
     m_sequence.emplace(std::move(poses), kNoDwell);
     const QString all = QString::number(m_table->rowCount());
@@ -111,12 +118,17 @@ void WayPointsPanel::add(const Snapshot& snapshot) {
     if (!m_sequence) {
         return;
     }
+    const std::size_t begun = m_sequence->begun();
     const auto next = m_sequence->add(snapshot);
+    if (m_sequence->begun() > begun) {
+        emit runBegun(m_asked);
+    }
     const PoseSequence::Phase phase = m_sequence->phase();
     if (phase == PoseSequence::Phase::Failed) {
         const QString row = QString::number(visited() + 1);
-        const Event cause = m_sequence->failure().value_or(Event{EventCode::NotSettled});
-        end([row, cause] { return tr("Ended at way-point %1: %2").arg(row, eventText(cause).cause); });
+        end([row, failed = *m_sequence] {
+            return tr("Ended at way-point %1: %2").arg(row, sequenceEndText(failed));
+        });
     } else if (phase == PoseSequence::Phase::Done) {
         const auto done = static_cast<int>(m_sequence->count());
         const QString row = QString::number(m_first + done);
@@ -125,8 +137,9 @@ void WayPointsPanel::add(const Snapshot& snapshot) {
                      : Text([row] { return tr("At way-point %1").arg(row); }));
     } else {
         m_table->mark(visited());
-        m_message->showText(m_text());
+        showMessage();
         if (next) {
+            m_asked = *next;
             emit runRequested(*next);
         }
     }
@@ -142,20 +155,12 @@ void WayPointsPanel::stopped() {
     setPaused(false); // a stop ends the holding too
 }
 
-void WayPointsPanel::anotherMotion() {
-    if (isRunning()) {
-        const QString row = QString::number(visited() + 1);
-        end([row] { return tr("Ended at way-point %1: another motion was asked for").arg(row); });
-    }
-}
-
 void WayPointsPanel::end(const Text& text) {
     if (m_sequence && m_sequence->phase() != PoseSequence::Phase::Done) {
         m_next = visited(); // Step tries it again
     }
     m_sequence.reset();
     m_table->mark(-1);
-    setPaused(false);
     tell(text);
     updateButtons();
 }
@@ -167,11 +172,12 @@ void WayPointsPanel::setPaused(bool paused) {
     m_paused = paused;
     m_pause->setChecked(paused);
     emit holdRequested(paused);
+    updateButtons();
 }
 
 void WayPointsPanel::tell(const Text& text) {
     m_text = text;
-    m_message->showText(text());
+    showMessage();
 }
 
 void WayPointsPanel::load(const QString& file) {
@@ -192,21 +198,34 @@ void WayPointsPanel::load(const QString& file) {
 }
 
 void WayPointsPanel::save(const QString& file) {
+    m_table->finishEditing();
+    if (m_refusal) {
+        return; // the message has it already
+    }
     std::vector<Pose> poses;
     for (int row = 0; row < m_table->rowCount(); ++row) {
-        const auto pose = m_table->poseAt(row);
-        if (!pose) {
-            tell([row] {
-                return tr("Row %1 holds something that is no number; nothing was saved").arg(row + 1);
-            });
-            return;
-        }
-        poses.push_back(*pose);
+        poses.push_back(m_table->poseAt(row).value_or(Pose{}));
     }
     const QString fault = saveWayPoints(file, poses);
     tell([=] {
         return fault.isEmpty() ? tr("Saved as %1").arg(file) : tr("The list cannot be saved: %1").arg(fault);
     });
+}
+
+/// What was told last, unless a cell is refused: then that.
+void WayPointsPanel::showMessage() {
+    m_message->showText(
+        m_refusal ? tr("Row %1: %2: %3")
+                        .arg(QString::number(m_refusal->row + 1),
+                             coordinateTexts()[static_cast<std::size_t>(m_refusal->coordinate)].symbol,
+                             m_refusal->reason)
+                  : m_text());
+}
+
+void WayPointsPanel::followTable() {
+    m_refusal = m_table->refusal();
+    showMessage();
+    updateButtons();
 }
 
 void WayPointsPanel::updateButtons() {
@@ -215,16 +234,19 @@ void WayPointsPanel::updateButtons() {
     const int at = m_table->currentRow();
     m_table->setEditable(!running);
     m_addMeasured->setEnabled(!running && m_measured.has_value());
-    m_addTarget->setEnabled(!running);
+    const bool targetWhole = m_target && m_target();
+    m_addTarget->setEnabled(!running && targetWhole);
+    m_addTarget->setToolTip(targetWhole ? tr("Add the pose of the target's fields; nothing moves")
+                                        : tr("A field of the target is refused"));
     m_load->setEnabled(!running);
-    m_save->setEnabled(!running && rows > 0);
+    m_save->setEnabled(!running && rows > 0 && !m_refusal);
     m_remove->setEnabled(!running && at >= 0);
     m_up->setEnabled(!running && at > 0);
     m_down->setEnabled(!running && at >= 0 && at < rows - 1);
-    const bool startable = !running && rows > 0 && m_connected && m_ready;
+    const bool startable = !running && rows > 0 && m_connected && m_ready && !m_refusal;
     m_play->setEnabled(startable);
     m_step->setEnabled(startable);
-    m_pause->setEnabled(running);
+    m_pause->setEnabled(running || m_paused);
 }
 
 void WayPointsPanel::changeEvent(QEvent* event) {

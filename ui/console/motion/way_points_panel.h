@@ -5,6 +5,7 @@
 #include "core/record/snapshot.h"
 #include "core/session/pose_sequence.h"
 #include "ui/console/motion/move_judge.h"
+#include "ui/console/motion/way_point_table.h"
 
 #include <QWidget>
 
@@ -18,7 +19,6 @@ class QPushButton;
 namespace hexapose {
 
 class TextReadOut;
-class WayPointTable;
 
 /// A list of poses: played from the first to the last, held on the way, or taken one at a time. It is judged
 /// whole before anything moves.
@@ -34,25 +34,25 @@ public:
     void add(const Snapshot& snapshot);
     void showSnapshot(const Snapshot& snapshot);
     /// What "Add target" adds.
-    void setTargetSource(std::function<std::optional<Pose>()> target) { m_target = std::move(target); }
+    void setTargetSource(std::function<std::optional<Pose>()> target);
 
     bool isRunning() const { return m_sequence.has_value(); }
     bool isPaused() const { return m_paused; }
     /// Ends the list; what moves is stopped by Stop, not by this.
-    void stopped();       ///< Stop was pressed
-    void anotherMotion(); ///< something else was asked for
+    void stopped(); ///< Stop was pressed
     WayPointTable& table() { return *m_table; }
 
 public slots:
+    void updateButtons();
     void play();
     void step();
     void load(const QString& file);
     void save(const QString& file);
 
 signals:
-    void started(); ///< before the first Run of a list
     void runRequested(const hexapose::Pose& target);
-    void holdRequested(bool held); ///< the motion, on its path
+    void runBegun(const hexapose::Pose& target); ///< the loop took it
+    void holdRequested(bool held);               ///< the motion, on its path
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -65,11 +65,13 @@ private:
     QPushButton* addButton(QHBoxLayout& row, int stretch = 1);
     void start(int first, int count);
     bool judgeRows(int first, int count, std::vector<Pose>& poses);
+    /// A hold ends by Pause or by a stop, whatever becomes of the list.
     void setPaused(bool paused);
     void end(const Text& text);
     int visited() const; ///< row, from 0
     void tell(const Text& text);
-    void updateButtons();
+    void showMessage();
+    void followTable();
     void chooseFile(bool toSave);
     void retranslate();
 
@@ -78,8 +80,10 @@ private:
     std::function<std::optional<Pose>()> m_target;
     std::optional<Pose> m_measured; ///< present and usable
     std::optional<PoseSequence> m_sequence;
-    int m_first = 0; ///< row of the sequence's first pose
-    int m_next = 0;  ///< row that Step takes
+    std::optional<WayPointTable::Refusal> m_refusal; ///< of a cell
+    Pose m_asked;                                    ///< of the last Run
+    int m_first = 0;                                 ///< row of the sequence's first pose
+    int m_next = 0;                                  ///< row that Step takes
     bool m_paused = false;
     bool m_connected = false;
     bool m_ready = false; ///< a Run would be taken

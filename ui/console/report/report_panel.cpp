@@ -5,6 +5,8 @@
 #include "core/base/input_error.h"
 #include "core/record/pose_list.h"
 #include "ui/common/read_out.h"
+#include "ui/common/status_text.h"
+#include "ui/console/events/sequence_end_text.h"
 #include "ui/console/report/report_preview.h"
 #include "ui/console/report/report_writer.h"
 #include "ui/console/report/sample_table.h"
@@ -46,10 +48,22 @@ void ReportPanel::setSolver(std::shared_ptr<const ForwardSolver> solver) {
 
 void ReportPanel::setConnected(bool connected) {
     m_connected = connected;
-    m_run->setEnabled(connected && !isRunning());
+    updateRun();
     if (!connected && m_sequence) {
         end(tr("the connection was closed"));
     }
+}
+
+void ReportPanel::showSnapshot(const Snapshot& snapshot) {
+    m_hindrance = runHindrance(snapshot);
+    updateRun();
+}
+
+void ReportPanel::updateRun() {
+    m_run->setEnabled(m_connected && m_hindrance.isEmpty() && !isRunning());
+    const QString tip = tr("Move to each attitude in turn and measure it; the platform moves");
+    m_run->setToolTip(m_hindrance.isEmpty() ? tip : m_hindrance);
+    m_run->setAccessibleDescription(m_run->toolTip());
 }
 
 void ReportPanel::setDefaultFolder(const QString& folder) {
@@ -78,11 +92,16 @@ QString ReportPanel::progressText() const {
 }
 
 void ReportPanel::add(const Snapshot& snapshot) {
+    const bool begun = m_sequence && m_sequence->begun() > 0;
+    const auto next = m_sequence ? m_sequence->add(snapshot) : std::nullopt;
+    if (!begun && m_sequence && m_sequence->begun() > 0) {
+        clearSamples();
+    }
     if (const auto sample = m_sampler.add(snapshot)) {
         takeSample(*sample);
     }
     if (m_sequence) {
-        advance(snapshot);
+        advance(next);
     }
 }
 
@@ -97,8 +116,7 @@ void ReportPanel::takeSample(const SettledSample& sample) {
     }
 }
 
-void ReportPanel::advance(const Snapshot& snapshot) {
-    const auto next = m_sequence->add(snapshot);
+void ReportPanel::advance(const std::optional<Pose>& next) {
     if (next) {
         emit runRequested(*next);
     }
@@ -106,7 +124,7 @@ void ReportPanel::advance(const Snapshot& snapshot) {
     if (!isRunning()) {
         const bool complete = m_sequence->phase() == PoseSequence::Phase::Done;
         m_sequence.reset();
-        m_run->setEnabled(m_connected);
+        updateRun();
         emit finished(complete);
     }
 }
@@ -126,19 +144,20 @@ void ReportPanel::runReport() {
 }
 
 void ReportPanel::runList(std::vector<Pose> attitudes) {
-    clearSamples();
     m_sequence.emplace(std::move(attitudes), kDwell);
-    m_run->setEnabled(false);
+    updateRun();
     showProgress();
 }
 
-void ReportPanel::cancel() {
-    end(tr("a stop or another motion came in between"));
+void ReportPanel::stopped() {
+    if (isRunning()) {
+        end(tr("Stop was pressed"));
+    }
 }
 
 void ReportPanel::end(const QString& why) {
     m_sequence.reset();
-    m_run->setEnabled(m_connected);
+    updateRun();
     m_progress->showText(tr("Ended early: %1").arg(why));
     emit finished(false);
 }
@@ -222,7 +241,7 @@ void ReportPanel::showProgress() {
             tr("%1 of %2 attitudes done")
                 .arg(QString::number(m_sequence->finished()), QString::number(m_sequence->count())));
         if (m_sequence->phase() == PoseSequence::Phase::Failed && m_sequence->failure()) {
-            m_progress->showText(tr("Ended early: %1").arg(eventText(*m_sequence->failure()).cause));
+            m_progress->showText(tr("Ended early: %1").arg(sequenceEndText(*m_sequence)));
         }
     } else {
         m_progress->showText(tr("Each settled Run becomes a sample too: 1 s of lengths, averaged, solved and "

@@ -40,17 +40,18 @@ public:
     void setFolder(const QString& folder);
 
     void add(const Snapshot& snapshot);
+    void showSnapshot(const Snapshot& snapshot);
     void clearSamples();
     int sampleCount() const { return static_cast<int>(m_samples.size()); }
     const ErrorReport& report() const { return m_report; }
 
-    /// Runs through attitudes from the beginning; the samples so far are put away.
+    /// Runs through attitudes from the beginning. The samples so far are discarded when the first motion
+    /// begins: a Run that is refused leaves them.
     void runList(std::vector<Pose> attitudes);
     bool isRunning() const;
     /// How far the list is, or why it ended early.
     QString progressText() const;
-    /// Ends the list; what moves is stopped by Stop, not by this.
-    void cancel();
+    void stopped(); ///< Stop was pressed
 
 public slots:
     void runReport();
@@ -74,13 +75,14 @@ private:
     QWidget* buildFolderRow();
     void chooseList();
     void takeSample(const SettledSample& sample);
-    void advance(const Snapshot& snapshot);
+    void advance(const std::optional<Pose>& next);
     void rebuildReport();
     void write();
     void showWritten(const QStringList& files, const QString& where);
     void showWriteFailure(const QString& reason);
     void showFiles(const QString& text);
     void showProgress();
+    void updateRun();
     void retranslate();
 
     PlatformGeometry m_geometry;
@@ -94,6 +96,7 @@ private:
     bool m_folderChosen = false;
     bool m_exportPending = false;
     bool m_connected = false;
+    QString m_hindrance; ///< why Run report cannot be pressed, though something is connected
     QStringList m_files;
     ReportWriter* m_writer;
 

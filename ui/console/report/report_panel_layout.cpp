@@ -116,7 +116,8 @@ void ReportPanel::retranslate() {
     }
     m_list->setAccessibleName(tr("List of attitudes"));
     name(m_browseList, tr("From CSV..."), tr("Columns x_mm, y_mm, z_mm, alpha_deg, beta_deg, gamma_deg"));
-    name(m_run, tr("Run report"), tr("Move to each attitude in turn and measure it; the platform moves"));
+    name(m_run, tr("Run report"), {});
+    updateRun();
     name(m_clear, tr("Clear samples"), tr("Put the samples away"));
     m_table->setAccessibleName(tr("Samples"));
     nameSampleColumns(*m_table);

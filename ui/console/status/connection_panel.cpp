@@ -2,20 +2,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/console/status/connection_panel.h"
 
-#include "core/base/number_text.h"
+#include "ui/common/allowed_commands.h"
 #include "ui/common/card.h"
+#include "ui/common/number_field.h"
 #include "ui/common/solver_choices.h"
 #include "ui/common/status_text.h"
 
 #include <QComboBox>
 #include <QEvent>
 #include <QHBoxLayout>
-#include <QIntValidator>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 
-#include <limits>
 #include <utility>
 
 namespace hexapose {
@@ -24,6 +23,7 @@ namespace {
 
 constexpr int kBaudRates[] = {9600, 19200, 38400, 57600, 115200, 230400, 460800, 921600};
 constexpr int kUsualBaud = 115200;
+constexpr NumberBounds kBaudBounds{1.0, 99999999.0, true};
 
 /// Looks for ports each time it is opened, because adapters come and go.
 class PortBox final : public QComboBox {
@@ -58,9 +58,13 @@ void ConnectionPanel::build() {
     m_port->addItem(QString());
     m_baudLabel = makeCaption(this);
     m_baud = new QComboBox(this);
-    m_baud->setEditable(true);
+    m_baudField = new NumberField(kBaudBounds);
+    m_baud->setLineEdit(m_baudField); // which makes it editable
     m_baud->setInsertPolicy(QComboBox::NoInsert);
-    m_baud->setValidator(new QIntValidator(1, std::numeric_limits<int>::max(), m_baud));
+    m_baud->setCompleter(nullptr); // a rate is taken as it is typed
+    m_baudRefusal = makeMutedLabel(this);
+    setTone(*m_baudRefusal, Tone::Bad);
+    m_baudRefusal->hide();
     for (const int rate : kBaudRates) {
         m_baud->addItem(QString::number(rate));
     }
@@ -79,8 +83,8 @@ void ConnectionPanel::build() {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(6);
-    for (QWidget* widget :
-         std::initializer_list<QWidget*>{m_portLabel, m_port, m_baudLabel, m_baud, m_connect}) {
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_portLabel, m_port, m_baudLabel, m_baud,
+                                                           m_baudRefusal, m_connect}) {
         row->addWidget(widget);
     }
     row->addSpacing(14);
@@ -107,9 +111,8 @@ void ConnectionPanel::build() {
     });
     connect(m_reference, &QPushButton::clicked, this, [this] { emit commandRequested(ReferenceCommand{}); });
     connect(m_enable, &QPushButton::clicked, this, [this] {
-        const bool on =
-            m_state == RunState::Enabled || m_state == RunState::Settling || m_state == RunState::Moving;
-        emit commandRequested(on ? OperatorCommand(DisableCommand{}) : OperatorCommand(EnableCommand{}));
+        emit commandRequested(m_drivesOn ? OperatorCommand(DisableCommand{})
+                                         : OperatorCommand(EnableCommand{}));
     });
     connect(m_clear, &QPushButton::clicked, this, [this] { emit commandRequested(ClearCommand{}); });
 }
@@ -138,13 +141,33 @@ std::optional<ConnectionChoice> ConnectionPanel::choice() const {
     ConnectionChoice choice;
     choice.virtualPlatform = isVirtual();
     choice.port = choice.virtualPlatform ? QString() : m_port->currentText().trimmed();
-    const auto baud = parseInteger(m_baud->currentText().toStdString());
-    const bool baudFits = baud && *baud > 0 && *baud <= std::numeric_limits<int>::max();
-    if (!choice.virtualPlatform && (!baudFits || choice.port.isEmpty())) {
+    if (!connectReason().isEmpty()) {
         return std::nullopt;
     }
-    choice.baud = baudFits ? static_cast<int>(*baud) : kUsualBaud;
+    choice.baud = static_cast<int>(m_baudField->value().value_or(kUsualBaud)); // the virtual one has none
     return choice;
+}
+
+/// Why nothing can be connected with what is typed; empty when it can.
+QString ConnectionPanel::connectReason() const {
+    if (isVirtual()) {
+        return {};
+    }
+    if (m_port->currentText().trimmed().isEmpty()) {
+        return tr("Cannot connect: no port is named");
+    }
+    return m_baudField->isRefused() ? tr("Cannot connect: baud rate: %1").arg(m_baudField->refusal())
+                                    : QString();
+}
+
+void ConnectionPanel::showConnectReason() {
+    const bool refused = !m_open && !isVirtual() && m_baudField->isRefused();
+    m_baudRefusal->setText(m_baudField->refusal());
+    m_baudRefusal->setVisible(refused);
+    const QString tip = m_open ? tr("Stop, disable and close the port") : tr("Open the port; nothing moves");
+    const QString reason = m_open ? QString() : connectReason();
+    m_connect->setToolTip(reason.isEmpty() ? tip : reason);
+    m_connect->setAccessibleDescription(m_connect->toolTip());
 }
 
 void ConnectionPanel::setAvailable(bool available) {
@@ -165,8 +188,7 @@ void ConnectionPanel::setSolverPending(bool pending) {
 
 /// In mid-move the loop keeps the solver it has.
 void ConnectionPanel::updateSolver() {
-    const bool moving = m_state == RunState::Moving || m_state == RunState::Settling;
-    const bool free = !moving && !m_solverPending;
+    const bool free = !m_moving && !m_solverPending;
     // Qt would hand the focus of a disabled box on to a button, and the next key might press it.
     if (!free && window()->focusWidget() == m_solver) {
         m_solver->clearFocus();
@@ -176,7 +198,7 @@ void ConnectionPanel::updateSolver() {
     if (free && std::exchange(m_solverHadFocus, false) && window()->focusWidget() == nullptr) {
         m_solver->setFocus();
     }
-    const QString why = moving ? tr("The solver cannot be changed while the platform moves.")
+    const QString why = m_moving ? tr("The solver cannot be changed while the platform moves.")
                         : m_solverPending
                             ? tr("The solver is being made ready.")
                             : tr("What makes the pose of the leg lengths.\nMPR3-NR, MPR2-NR: regression, "
@@ -188,17 +210,24 @@ void ConnectionPanel::updateSolver() {
 
 void ConnectionPanel::setOpen(bool open) {
     m_open = open;
-    m_state = RunState::Disconnected;
+    m_moving = m_drivesOn = false;
+    m_allowed = {};
     retranslate();
     updateButtons();
 }
 
-void ConnectionPanel::showState(RunState state) {
-    if (state != m_state) {
-        m_state = state;
-        retranslate();
-        updateButtons();
+void ConnectionPanel::showSnapshot(const Snapshot& snapshot) {
+    const CommandSet allowed = allowedCommands(snapshot);
+    const bool moving = snapshot.state == RunState::Moving || snapshot.state == RunState::Settling;
+    const bool on = allowed.contains(Command::Disable) && (moving || snapshot.state == RunState::Enabled);
+    if (allowed == m_allowed && moving == m_moving && on == m_drivesOn) {
+        return;
     }
+    m_allowed = allowed;
+    m_moving = moving;
+    m_drivesOn = on;
+    retranslate();
+    updateButtons();
 }
 
 void ConnectionPanel::updateButtons() {
@@ -206,11 +235,10 @@ void ConnectionPanel::updateButtons() {
     m_port->setEnabled(!m_open);
     m_baud->setEnabled(!m_open && !isVirtual());
     m_connect->setEnabled(m_open || (m_available && choice()));
-    const bool linked = m_open && m_state != RunState::Disconnected;
-    m_reference->setEnabled(linked && (m_state == RunState::Unreferenced || m_state == RunState::Disabled));
-    m_enable->setEnabled(linked && m_state != RunState::Unreferenced && m_state != RunState::Stopped &&
-                         m_state != RunState::Fault);
-    m_clear->setEnabled(linked && (m_state == RunState::Stopped || m_state == RunState::Fault));
+    showConnectReason();
+    m_reference->setEnabled(m_open && m_allowed.contains(Command::Reference));
+    m_enable->setEnabled(m_open && m_allowed.contains(m_drivesOn ? Command::Disable : Command::Enable));
+    m_clear->setEnabled(m_open && m_allowed.contains(Command::Clear));
 }
 
 void ConnectionPanel::retranslate() {
@@ -237,13 +265,11 @@ void ConnectionPanel::retranslate() {
         button->setAccessibleName(text);
         button->setToolTip(tip);
     };
-    const bool on =
-        m_state == RunState::Enabled || m_state == RunState::Settling || m_state == RunState::Moving;
-    name(m_connect, m_open ? tr("Disconnect") : tr("Connect"),
-         m_open ? tr("Stop, disable and close the port") : tr("Open the port; nothing moves"));
+    name(m_connect, m_open ? tr("Disconnect") : tr("Connect"), {});
+    showConnectReason();
     name(m_reference, tr("Reference"), tr("Find the reference of the legs"));
-    name(m_enable, on ? tr("Disable") : tr("Enable"),
-         on ? tr("Take the drives off") : tr("Put the drives on"));
+    name(m_enable, m_drivesOn ? tr("Disable") : tr("Enable"),
+         m_drivesOn ? tr("Take the drives off") : tr("Put the drives on"));
     name(m_clear, tr("Clear"), tr("Leave a stop or a fault; nothing moves"));
 }
 

@@ -3,7 +3,8 @@
 #pragma once
 
 #include "core/machine/command.h"
-#include "core/record/run_state.h"
+#include "core/record/command_set.h"
+#include "core/record/snapshot.h"
 #include "ui/session/session.h"
 
 #include <QFrame>
@@ -17,6 +18,8 @@ class QPushButton;
 
 namespace hexapose {
 
+class NumberField;
+
 /// Lists the serial ports that the system knows at the moment.
 using PortList = std::function<QStringList()>;
 
@@ -27,7 +30,7 @@ class ConnectionPanel final : public QWidget {
 public:
     explicit ConnectionPanel(PortList ports, QWidget* parent = nullptr);
     void setChoice(const ConnectionChoice& choice);
-    /// Nothing when the baud rate is no number or no port is named.
+    /// Nothing when the baud rate is refused or no port is named.
     std::optional<ConnectionChoice> choice() const;
     /// available: there is something to connect with (the model is ready).
     void setAvailable(bool available);
@@ -36,7 +39,7 @@ public:
     void setSolver(std::string_view word);
     /// While a solver is made ready no other can be chosen.
     void setSolverPending(bool pending);
-    void showState(RunState state);
+    void showSnapshot(const Snapshot& snapshot);
 
 signals:
     void connectRequested(const hexapose::ConnectionChoice& choice);
@@ -54,17 +57,23 @@ private:
     void updateSolver();
     void retranslate();
     bool isVirtual() const;
+    QString connectReason() const;
+    void showConnectReason();
 
     PortList m_ports;
     bool m_available = false;
     bool m_open = false;
     bool m_solverPending = false;
     bool m_solverHadFocus = false;
-    RunState m_state = RunState::Disconnected;
+    bool m_moving = false;
+    bool m_drivesOn = false;
+    CommandSet m_allowed; ///< what the loop would accept
     QLabel* m_portLabel;
     QComboBox* m_port;
     QLabel* m_baudLabel;
     QComboBox* m_baud;
+    NumberField* m_baudField; ///< its editor
+    QLabel* m_baudRefusal;
     QLabel* m_solverLabel;
     QComboBox* m_solver;
     QPushButton* m_connect;

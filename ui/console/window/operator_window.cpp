@@ -4,6 +4,7 @@
 
 #include "core/base/input_error.h"
 #include "ui/charts/chart_page.h"
+#include "ui/common/wheel_guard.h"
 #include "ui/console/events/event_list.h"
 #include "ui/console/motion/motion_panel.h"
 #include "ui/console/motion/target_panel.h"
@@ -53,6 +54,7 @@ OperatorWindow::OperatorWindow(const PlatformGeometry& geometry, PortList ports,
     retranslate();
     m_tick.setInterval(kTickMs);
     qApp->installEventFilter(this);
+    new WheelGuard(this);
     connect(&m_tick, &QTimer::timeout, this, &OperatorWindow::tick);
     m_tick.start();
 }
@@ -69,19 +71,11 @@ void OperatorWindow::wire() {
     connect(m_connection, &ConnectionPanel::disconnectRequested, this, &OperatorWindow::disconnectFrom);
     connect(m_connection, &ConnectionPanel::commandRequested, this, &OperatorWindow::post);
     connect(m_motion, &MotionPanel::commandRequested, this, &OperatorWindow::post);
-    const auto endReport = [this] {
-        if (m_report->isRunning()) {
-            m_report->cancel();
-        }
-    };
-    connect(m_motion, &MotionPanel::stopRequested, this, [this, endReport] {
+    connect(m_motion, &MotionPanel::stopRequested, this, [this] {
         post(StopCommand{});
-        endReport();
+        m_report->stopped();
     });
-    connect(m_motion, &MotionPanel::motionBegins, this, endReport);
     connect(m_report, &ReportPanel::runRequested, this, [this](const Pose& pose) {
-        m_motion->endLists();
-        m_motion->target().setTarget(pose);
         post(RunCommand{pose, m_motion->mode()});
     });
     connect(m_report, &ReportPanel::noted, this, [this](const std::function<EventText()>& text) {
@@ -227,12 +221,11 @@ void OperatorWindow::showLatest() {
     m_legs->showSnapshot(m_latest);
     m_pose->showSnapshot(m_latest);
     m_status->showSnapshot(m_latest);
-    // A sender that takes no commands has no state that a button could change.
-    const bool commandable = linked && m_latest.link != LinkState::ListenOnly;
-    m_connection->showState(commandable ? m_latest.state : RunState::Disconnected);
+    m_connection->showSnapshot(m_latest);
     m_motion->showSnapshot(m_latest);
     m_motion->setConnected(linked);
-    m_report->setConnected(commandable);
+    m_report->showSnapshot(m_latest);
+    m_report->setConnected(linked);
     if (++m_tickCount % kChartsEvery == 0) {
         m_charts->refreshInTurn(seconds(m_latest.time));
     }
