@@ -67,7 +67,7 @@ struct TextBench {
         now += duration;
         controller.step(now);
     }
-    char state() const { return letterOf(controller.platform().state()); }
+    char state() const { return toLetter(controller.platform().state()); }
 
     /// Brought to a state, its legs referenced or, where that can be, not.
     void enter(char wanted, bool referenced) {
