@@ -16,11 +16,15 @@
 namespace hexapose::apptest {
 namespace {
 
-std::string page() {
-    std::ifstream in(HEXAPOSE_SOURCE_DIR "/resources/manual/command-line.md");
+std::string fileText(const char* file) {
+    std::ifstream in(std::string(HEXAPOSE_SOURCE_DIR "/") + file);
     std::ostringstream text;
     text << in.rdbuf();
     return text.str();
+}
+
+std::string page() {
+    return fileText("resources/manual/command-line.md");
 }
 
 std::set<std::string> optionsIn(const std::string& text) {
@@ -57,6 +61,7 @@ TEST(Manual, NamesEveryOptionOfTheCommandLineAndNoOther) {
         ++commands;
         const std::string text = section(found[1]);
         EXPECT_NE(text, "") << found[1];
+        EXPECT_THAT(fileText("installer/man/hexapose-cli.1"), ::testing::HasSubstr(found[1]));
         const std::set<std::string> told = optionsIn(text);
         std::set<std::string> known = optionsIn(cli({found[1], "--help"}).out);
         for (const std::string& option : known) {
@@ -78,6 +83,11 @@ TEST(Manual, NamesEveryOptionOfTheConsoleAndNoOther) {
     known.erase("--help");
     known.erase("--version");
     EXPECT_EQ(optionsIn(section("hexapose")), known);
+    std::set<std::string> ofManPage =
+        optionsIn(std::regex_replace(fileText("installer/man/hexapose.1"), std::regex(R"(\\-)"), "-"));
+    ofManPage.erase("--help");
+    ofManPage.erase("--version");
+    EXPECT_EQ(ofManPage, known);
 }
 #endif
 

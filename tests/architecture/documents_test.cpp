@@ -83,6 +83,28 @@ TEST(Documents, EveryLinkLeadsToAFileAndAHeading) {
     EXPECT_GT(count, 50);
 }
 
+/// The one of the package, which has the manual and the pictures beside it.
+TEST(Documents, EveryLinkOfTheInstalledReadmeLeadsSomewhere) {
+    static const std::regex link(R"(\]\(([^)]+)\))");
+    const std::string text = textOf(HEXAPOSE_INSTALLED_README);
+    int count = 0;
+    for (const std::string& target : matches(text, link)) {
+        ++count;
+        EXPECT_TRUE(target.starts_with("manual/") || target == "pictures/console.png") << target;
+        EXPECT_TRUE(fs::exists(kTop / "resources" / target)) << target;
+    }
+    EXPECT_GE(count, 5);
+    EXPECT_THAT(text, testing::Not(HasSubstr("CONTRIBUTING")));
+}
+
+TEST(Documents, TheManualLinksOnlyToItselfAndThePicture) {
+    static const std::regex link(R"(\]\(([^)]+)\))");
+    for (const auto& entry : fs::directory_iterator(kTop / "resources/manual"))
+        for (const std::string& target : matches(textOf(entry.path()), link))
+            EXPECT_TRUE(target.find('/') == std::string::npos || target == "../pictures/console.png")
+                << entry.path() << ": " << target;
+}
+
 /// In backquotes, with a folder in front: "core/machine/README.md", "tests/architecture/layers.cpp".
 TEST(Documents, EverySourceFileAndFolderThatIsNamedExists) {
     static const std::regex named(
