@@ -37,7 +37,8 @@ Pose pose(double x, double y, double z, double alpha, double beta, double gamma)
 
 /// So that the charts have something to show, and every axis moves.
 const std::array kTargets{pose(-14, 10, 22, 4, -6, 3), pose(20, -15, 8, -5, 3, -8),
-                          pose(-8, 12, 30, 6, 5, -3), pose(12, -4, 40, 0, 0, 5)};
+                          pose(-22, -8, 26, 7, -4, 6), pose(16, 14, 12, -3, 6, -5),
+                          pose(-8, 12, 30, 6, 5, -3),  pose(12, -4, 40, 0, 0, 5)};
 
 struct Look {
     const char* file;
@@ -129,6 +130,11 @@ int main(int argc, char** argv) {
     for (const char* name : {"XDG_CONFIG_HOME", "XDG_CACHE_HOME", "XDG_DATA_HOME"})
         qputenv(name, scratch.path().toLocal8Bit());
     qputenv("QT_QPA_PLATFORM", "offscreen");
+    qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& text) {
+        if (type == QtCriticalMsg || type == QtFatalMsg) { // the offscreen platform has much to say
+            std::fprintf(stderr, "%s\n", qPrintable(text));
+        }
+    });
     QApplication application(argc, argv);
     QLocale::setDefault(QLocale::c());
     QCoreApplication::setOrganizationName(QStringLiteral("Hexapose"));
