@@ -7,6 +7,7 @@
 #include "app/cli/pose_run.h"
 #include "app/cli/solver_choice.h"
 #include "app/common/device_factory.h"
+#include "app/common/platform_check.h"
 #include "app/common/port_check.h"
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
@@ -163,6 +164,7 @@ int runCommand(const QStringList& words) {
         throw InputError("--speed", formatNumber(percent) + " is above 100");
     const int baud = static_cast<int>(arguments.integer("baud", 115200, 50, 12000000));
     const PlatformGeometry platform = arguments.platform();
+    requireMovable(platform, arguments.text("platform", "laboratory"));
     const std::vector<Pose> targets = sweep ? std::vector<Pose>{Pose{}} : readPoseList(targetsFile);
     PoseEnvelope envelope;
     if (arguments.has("envelope-mm"))

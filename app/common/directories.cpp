@@ -45,9 +45,10 @@ fs::path findShipped(const std::string& nameOrFile, const std::string& what, con
         if (fs::exists(file, error))
             return file;
     }
+    // The folder that there is: an installed program has nothing to tell of a source tree.
+    const fs::path& shown = fs::exists(sourceTree, error) ? sourceTree : installed;
     throw InputError(nameOrFile, "no such " + what + " file, and none of this name in " +
-                                     installed.lexically_normal().string() + " or " +
-                                     sourceTree.lexically_normal().string());
+                                     shown.lexically_normal().string());
 }
 
 } // namespace

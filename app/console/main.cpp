@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/common/directories.h"
+#include "app/common/platform_check.h"
 #include "app/common/port_check.h"
 #include "app/console/console.h"
 #include "app/console/console_options.h"
@@ -104,6 +105,9 @@ int main(int argc, char* argv[]) {
             return 0;
         }
         const PlatformGeometry geometry = loadPlatform(findPlatformFile(options.platform));
+        if (options.headless) {
+            requireMovable(geometry, options.platform);
+        }
         if (options.connection && !options.connection->virtualPlatform) {
             requireSerialPort(options.connection->port.toStdString());
         }

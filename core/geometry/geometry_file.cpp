@@ -7,6 +7,7 @@
 #include "core/base/text_file.h"
 #include "core/base/toml_values.h"
 #include "core/base/units.h"
+#include "core/geometry/likely_cause.h"
 
 #include <algorithm>
 #include <cmath>
@@ -83,7 +84,10 @@ void Reader::judge(const PlatformGeometry& geometry, const toml::array& legs) co
     const toml::table* table = where != nullptr ? where->as_table() : nullptr;
     if (table != nullptr && table->get(fault.key) != nullptr)
         where = table->get(fault.key);
-    m_values.fail(where != nullptr ? *where : m_root, fault.text);
+    std::string text = fault.text;
+    if (const std::string mistake = likelyMistakeOfStrokes(geometry); !mistake.empty())
+        text += "; likely cause: " + mistake;
+    m_values.fail(where != nullptr ? *where : m_root, text);
 }
 
 std::string quoted(const std::string& text) {

@@ -126,5 +126,25 @@ TEST(BadPlatform, IsNamedWithItsLine) {
     expectRefused(HEXAPOSE_CLI, scratch, calls);
 }
 
+/// Base and platform are similar: nothing can be measured or moved, and that is said at once.
+TEST(BadPlatform, IsRefusedWithItsCauseWhereNothingCanMoveWithIt) {
+    const Scratch scratch;
+    Machine similar = laboratory();
+    for (std::size_t i = 0; i < 6; ++i)
+        similar.platform[i] = {0.5 * similar.base[i][0], 0.5 * similar.base[i][1], similar.platform[i][2]};
+    similar.minMm = 1.0;
+    similar.maxMm = 1000.0;
+    scratch.file("similar.toml", similar.toml());
+    scratch.file("targets.csv", "x_mm,y_mm,z_mm,alpha_deg,beta_deg,gamma_deg\n0,0,1,0,0,0\n");
+    const std::vector<std::string> said{"@similar.toml", "singular at home", "similar figures"};
+    expectRefused(
+        HEXAPOSE_CLI, scratch,
+        {{"run --port virtual --targets @targets.csv --log @log.csv --platform @similar.toml", said}});
+#ifdef HEXAPOSE_CONSOLE
+    expectRefused(HEXAPOSE_CONSOLE, scratch,
+                  {{"--headless --virtual --log-dir @ --platform @similar.toml", said}});
+#endif
+}
+
 } // namespace
 } // namespace hexapose::apptest

@@ -9,7 +9,7 @@
 namespace hexapose::line {
 
 /// Classifies measurements by the controller's frame counter and clock: which are new, and how many never
-/// came.
+/// came. A clock of 32 bits may begin again from 0.
 class FrameSequence {
 public:
     enum class Result {

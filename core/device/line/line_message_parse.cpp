@@ -86,8 +86,10 @@ LineMessage parseSet(const Fields& fields) {
         return malformed(Cause::Fields, fields);
     const std::optional<long long> number = parseWireInteger(fields[1]);
     const std::optional<LegLengths> lengths = parseLengths(fields, 2);
-    if (!number || *number < 0 || *number > kMaxCount || !lengths)
+    if (!number || !lengths)
         return malformed(Cause::Number, fields);
+    if (*number < 0 || *number > kMaxCount)
+        return malformed(Cause::Range, fields);
     return Set{static_cast<std::uint16_t>(*number), *lengths};
 }
 

@@ -39,9 +39,10 @@ bool keep(const PolynomialModel& model, const std::filesystem::path& file) {
 
 } // namespace
 
-std::optional<CachedModel> loadOrTrainModel(const PlatformGeometry& geometry, const TrainingSpec& spec,
+std::optional<CachedModel> loadOrTrainModel(const PlatformGeometry& geometry, const TrainingSpec& wanted,
                                             const std::filesystem::path& directory,
                                             const TrainingProgress& progress) {
+    const TrainingSpec spec = withDefaults(wanted, geometry);
     const std::filesystem::path file =
         directory / ("mpr" + std::to_string(spec.degree) + '-' + geometry.fingerprint() + '-' +
                      specFingerprint(spec) + ".toml");

@@ -9,6 +9,7 @@
 #include "core/kinematics/newton/newton_raphson.h"
 #include "core/kinematics/pose_samples.h"
 #include "core/kinematics/regression/polynomial_lanes.h"
+#include "core/kinematics/singular_home.h"
 #include "core/kinematics/singularity.h"
 
 #include <algorithm>
@@ -92,7 +93,8 @@ std::string specFingerprint(const TrainingSpec& spec) {
 TrainingSpec defaultTrainingSpec(const PlatformGeometry& geometry, int degree) {
     const double home = homeDeterminant(geometry);
     if (home == 0.0)
-        throw InputError("platform \"" + geometry.name + "\"", "its geometry is singular at home");
+        throw InputError("platform \"" + geometry.name + "\"",
+                         faultOfHome(geometry).value_or("its geometry is singular at home"));
     TrainingSpec spec;
     spec.degree = degree;
     spec.offsetRange = rounded(geometry.size() * 2.0 / 15.0); // 40 mm of 300
@@ -103,7 +105,17 @@ TrainingSpec defaultTrainingSpec(const PlatformGeometry& geometry, int degree) {
         spec.offsetRange /= 2.0;
         spec.angleRange /= 2.0;
     }
-    throw InputError("platform \"" + geometry.name + "\"", "its geometry is too close to singular at home");
+    throw InputError("platform \"" + geometry.name + "\"",
+                     faultOfHome(geometry).value_or("its geometry is too close to singular at home"));
+}
+
+TrainingSpec withDefaults(TrainingSpec spec, const PlatformGeometry& geometry) {
+    if (spec.offsetRange != 0.0 || spec.angleRange != 0.0)
+        return spec;
+    const TrainingSpec own = defaultTrainingSpec(geometry, spec.degree);
+    spec.offsetRange = own.offsetRange;
+    spec.angleRange = own.angleRange;
+    return spec;
 }
 
 } // namespace hexapose

@@ -15,7 +15,8 @@
 
 namespace hexapose {
 
-/// What a model is trained on: poses uniform in a box about home.
+/// What a model is trained on: poses uniform in a box about home. Where both ranges are 0 the platform's own
+/// are taken (defaultTrainingSpec), so that TrainingSpec{} is good for every platform.
 struct TrainingSpec {
     int degree = 3;                ///< 1 to 4
     double offsetRange = 0.0;      ///< +-, m, each axis
@@ -63,5 +64,7 @@ std::string specFingerprint(const TrainingSpec& spec);
 /// singular or past a singularity. Throws InputError for a geometry that is singular at home or too close to
 /// it. The degree is not checked here but by trainModel().
 TrainingSpec defaultTrainingSpec(const PlatformGeometry& geometry, int degree);
+/// With the platform's own ranges where both are 0; throws as defaultTrainingSpec() does.
+TrainingSpec withDefaults(TrainingSpec spec, const PlatformGeometry& geometry);
 
 } // namespace hexapose

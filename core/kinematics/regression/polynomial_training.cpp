@@ -200,10 +200,11 @@ private:
 
 std::optional<PolynomialModel> trainModel(const PlatformGeometry& geometry, const TrainingSpec& spec,
                                           const TrainingProgress& progress, unsigned threads) {
-    checkSpec(spec);
     if (homeDeterminant(geometry) == 0.0)
         refuse("the geometry is singular at home");
-    return Training(geometry, spec, progress, threads).run();
+    const TrainingSpec complete = withDefaults(spec, geometry);
+    checkSpec(complete);
+    return Training(geometry, complete, progress, threads).run();
 }
 
 ModelErrors testModel(const PlatformGeometry& geometry, const PolynomialModel& model, std::int64_t samples,

@@ -16,7 +16,8 @@ using TrainingProgress = std::function<bool(double)>;
 /// Fits a model by least squares to Monte Carlo poses (Eq. 17 on distinct monomials). The result depends on
 /// the specification alone, not on the number of threads. threads: 0 for one a core. Nothing when cancelled.
 /// Throws InputError for a specification that cannot be fitted (degree outside 1..4, a range that is not
-/// positive and finite, fewer samples than monomials, lengths of zero, a singular geometry).
+/// positive and finite, unless both are 0, fewer samples than monomials, lengths of zero, a singular
+/// geometry).
 std::optional<PolynomialModel> trainModel(const PlatformGeometry& geometry, const TrainingSpec& spec,
                                           const TrainingProgress& progress = {}, unsigned threads = 0);
 

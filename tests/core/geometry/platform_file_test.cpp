@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <random>
 #include <string>
@@ -58,6 +59,52 @@ void expectSame(const PlatformGeometry& a, const PlatformGeometry& b) {
 }
 
 } // namespace
+
+TEST(PlatformFile, NamesTheLikelyCauseOfLengthsOutsideTheirStrokes) {
+    const PlatformGeometry laboratory = loadPlatform(kLaboratory);
+    const auto after = [&](const std::function<void(PlatformGeometry&)>& spoil) {
+        PlatformGeometry geometry = laboratory;
+        spoil(geometry);
+        const std::string complaint = complaintOf(formatPlatform(geometry));
+        const std::string before = "; likely cause: ";
+        const std::size_t at = complaint.find(before);
+        return at == std::string::npos ? complaint : complaint.substr(at + before.size());
+    };
+    EXPECT_EQ(after([](PlatformGeometry& g) {
+                  for (Leg& leg : g.legs)
+                      leg.p_PB_P += g.p_OP_home_B;
+              }),
+              "platform_mm is given in the base frame, not from the platform's origin");
+    EXPECT_EQ(after([](PlatformGeometry& g) {
+                  const auto legs = g.legs;
+                  for (std::size_t i = 0; i < kLegCount; ++i)
+                      g.legs[(i + 1) % kLegCount].p_PB_P = legs[i].p_PB_P;
+                  for (Leg& leg : g.legs) { // closer than those of the file, which leave room for this
+                      leg.minLength = 0.290;
+                      leg.maxLength = 0.310;
+                  }
+              }),
+              "platform_mm of each leg belongs to the leg before");
+    EXPECT_EQ(after([](PlatformGeometry& g) {
+                  for (Leg& leg : g.legs) {
+                      leg.minLength /= 25.4;
+                      leg.maxLength /= 25.4;
+                  }
+              }),
+              "min_mm and max_mm are in inches");
+    EXPECT_EQ(after([](PlatformGeometry& g) {
+                  g.p_OP_home_B /= 1000.0;
+                  for (Leg& leg : g.legs) {
+                      leg.p_OA_B /= 1000.0;
+                      leg.p_PB_P /= 1000.0;
+                  }
+              }),
+              "base_mm, platform_mm and position_mm are in metres");
+    // A wrong stroke alone has none.
+    EXPECT_EQ(after([](PlatformGeometry& g) { g.legs[2].maxLength = 0.260; }).find("likely"),
+              std::string::npos);
+    EXPECT_EQ(after([](PlatformGeometry&) {}), "accepted");
+}
 
 TEST(PlatformFile, LaboratoryHasThePublishedHomeLengths) {
     const PlatformGeometry laboratory = loadPlatform(kLaboratory);

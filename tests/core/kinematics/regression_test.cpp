@@ -170,6 +170,15 @@ TEST(Training, ChoosesItsRangeByTheMachine) {
     EXPECT_LT(defaultTrainingSpec(flat, 3).angleRange, radiansFromDeg(40.0));
 }
 
+TEST(Training, TakesTheMachinesOwnRangeWhereNoneIsGiven) {
+    for (const PlatformGeometry& machine : {laboratory(), scaledBy(1e-3, laboratory())}) {
+        const auto model = trainModel(machine, TrainingSpec{.samples = 2000});
+        ASSERT_TRUE(model);
+        EXPECT_EQ(model->spec.offsetRange, defaultTrainingSpec(machine, 3).offsetRange);
+        EXPECT_EQ(model->spec.angleRange, defaultTrainingSpec(machine, 3).angleRange);
+    }
+}
+
 TEST(MprNewton, SolvesThePhysicalTestOfThePaper) {
     const PlatformGeometry machine = laboratory();
     const LegLengths lengths = metres(339.5, 336.5, 336.6, 329.2, 345.1, 334.5);

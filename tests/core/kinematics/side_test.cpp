@@ -3,6 +3,7 @@
 // A converged pose is on home's side of the singular surface, and joined to home.
 #include "core/kinematics/jacobian.h"
 #include "core/kinematics/newton/newton_raphson.h"
+#include "core/kinematics/singular_home.h"
 #include "core/kinematics/singularity.h"
 #include "test_machines.h"
 #include "tests/support/sample_count.h"
@@ -54,6 +55,22 @@ struct Wide {
 };
 
 } // namespace
+
+TEST(SingularHome, IsNamedWithItsLikelyCause) {
+    for (const PlatformGeometry& machine :
+         {laboratory(), octahedral(), asymmetric(), scaledBy(1e-3, laboratory())})
+        EXPECT_FALSE(faultOfHome(machine)) << machine.name;
+    EXPECT_EQ(faultOfHome(similarHexagons()).value_or(""),
+              "its geometry is singular at home: base and platform joints form similar figures");
+    PlatformGeometry inches = laboratory();
+    for (Leg& leg : inches.legs) {
+        leg.p_OA_B /= 25.4;
+        leg.p_PB_P /= 25.4;
+    }
+    EXPECT_EQ(
+        faultOfHome(inches).value_or(""),
+        "its geometry is too close to singular at home; likely cause: base_mm and platform_mm are in inches");
+}
 
 TEST(Side, WidePosesAreRightOrSaySoOrAreJoinedToHome) {
     const PlatformGeometry machine = laboratory();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: MIT
-// What others may include. Who takes one away breaks their programs.
+// The public headers. Who takes one away breaks other people's programs.
 #include <hexapose/core/base/input_error.h>
 #include <hexapose/core/base/units.h>
 #include <hexapose/core/finite_step/drive_path.h>
@@ -30,4 +30,5 @@
 #include <hexapose/core/kinematics/regression/polynomial_file.h>
 #include <hexapose/core/kinematics/regression/polynomial_model.h>
 #include <hexapose/core/kinematics/regression/polynomial_training.h>
+#include <hexapose/core/kinematics/singular_home.h>
 #include <hexapose/core/kinematics/singularity.h>

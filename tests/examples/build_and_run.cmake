@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The Hexapose authors
 # SPDX-License-Identifier: MIT
 # Installs the component `development` of a build into a scratch folder, looks through its headers, and builds and runs
-# the consumer beside this file against it, with the compiler and the flags of that build.
-# Needs BUILD_DIR, CONFIG, SCRATCH, PLATFORM, GENERATOR, COMPILER; may have PREFIX_PATH, FLAGS, SANITIZE.
+# the examples beside this file against it, with the compiler and the flags of that build.
+# Needs BUILD_DIR, CONFIG, SCRATCH, RESOURCES, GENERATOR, COMPILER; may have PREFIX_PATH, FLAGS, SANITIZE.
 set(prefix ${SCRATCH}/prefix)
 set(build ${SCRATCH}/build)
 file(REMOVE_RECURSE ${SCRATCH})
@@ -31,8 +31,8 @@ foreach(header IN LISTS headers)
     string(SUBSTRING "${included}" 1 -1 name)
     if(kind STREQUAL "\"" AND NOT EXISTS ${prefix}/include/hexapose/${name})
       message(SEND_ERROR "${header}: includes ${name}, which is not installed")
-    elseif(kind STREQUAL "<" AND NOT name MATCHES "^(Eigen/[A-Za-z]+|[a-z_]+)$")
-      message(SEND_ERROR "${header}: includes ${name}, which is neither Eigen nor the standard library")
+    elseif(kind STREQUAL "<" AND NOT name MATCHES "^(Eigen/[A-Za-z]+|[a-z_]+|unistd\\.h)$")
+      message(SEND_ERROR "${header}: includes ${name}, which is neither Eigen, the standard library nor POSIX")
     endif()
   endforeach()
 endforeach()
@@ -43,12 +43,12 @@ endif()
 string(REPLACE ";" "\\;" prefix_path "${prefix};${PREFIX_PATH}") # one argument, though a list
 step("configuring" ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${build} -G ${GENERATOR}
   -DCMAKE_CXX_COMPILER=${COMPILER} "-DCMAKE_CXX_FLAGS=${FLAGS}" "-DCMAKE_PREFIX_PATH=${prefix_path}"
-  -DCMAKE_DISABLE_FIND_PACKAGE_Qt6=ON)
+  -DCMAKE_DISABLE_FIND_PACKAGE_Qt6=ON -DHEXAPOSE_RESOURCES=${RESOURCES})
 file(STRINGS ${build}/CMakeCache.txt found REGEX "^hexapose_DIR:")
 string(FIND "${found}" "=${prefix}/" place)
 if(place EQUAL -1)
-  message(FATAL_ERROR "the consumer found another hexapose: ${found}")
+  message(FATAL_ERROR "the examples found another hexapose: ${found}")
 endif()
 step("building" ${CMAKE_COMMAND} --build ${build} --verbose)
-step("running" ${build}/consumer ${PLATFORM})
+step("running" ${CMAKE_CTEST_COMMAND} --test-dir ${build} --verbose --no-tests=error)
 message(STATUS "${said}")
