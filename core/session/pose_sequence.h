@@ -11,6 +11,10 @@
 
 namespace hexapose {
 
+/// How long a visited pose is held when a sample of it is to be taken: longer than the second that a sample
+/// averages, by some feedback periods.
+inline constexpr std::chrono::milliseconds kSampleDwell{1200};
+
 /// Visits a list of attitudes: the next Run is due when the one before has settled and stood for `dwell`. Fed
 /// with snapshots; pure, so the console and the command line share it.
 class PoseSequence {

@@ -10,6 +10,7 @@
 #include "ui/console/report/sample_table.h"
 
 #include <QComboBox>
+#include <QDir>
 #include <QEvent>
 #include <QFileDialog>
 #include <QHBoxLayout>
@@ -25,8 +26,6 @@ namespace {
 // The list of Figure 8: 10 attitudes within +-10 mm and +-10 degrees.
 constexpr int kAttitudes = 10;
 constexpr std::uint64_t kSeed = 1;
-// A little longer than the second that a sample is averaged over.
-constexpr std::chrono::milliseconds kDwell{1200};
 
 } // namespace
 
@@ -127,7 +126,7 @@ void ReportPanel::runReport() {
 
 void ReportPanel::runList(std::vector<Pose> attitudes) {
     clearSamples();
-    m_sequence.emplace(std::move(attitudes), kDwell);
+    m_sequence.emplace(std::move(attitudes), kSampleDwell);
     m_run->setEnabled(false);
     showProgress();
 }
@@ -179,7 +178,8 @@ void ReportPanel::exportReport() {
 }
 
 void ReportPanel::write() {
-    m_writer->write(m_report, folder());
+    const QString where = folder(); // a relative one is where the program was started: say where that is
+    m_writer->write(m_report, where.isEmpty() ? where : QDir::current().absoluteFilePath(where));
 }
 
 void ReportPanel::showWritten(const QStringList& files, const QString& where) {
