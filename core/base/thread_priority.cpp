@@ -48,6 +48,13 @@ ThreadPriority currentPriority() {
     }
 }
 
+void leaveRealTime() {
+    if (!currentPriority().isRealTime())
+        return;
+    const sched_param ordinary{0};
+    pthread_setschedparam(pthread_self(), SCHED_OTHER, &ordinary);
+}
+
 /// With a limit on locked memory, locking what comes in the future would let a later allocation fail.
 bool mayLockEverything() {
     rlimit limit{};
@@ -72,11 +79,14 @@ ThreadPriority raiseThreadPriority() {
     return currentPriority();
 }
 
+void resetThreadPriority() {
+    leaveRealTime();
+    if (niceOfThisThread() < 0)
+        setNice(0);
+}
+
 void lowerThreadPriority() {
-    if (currentPriority().isRealTime()) {
-        const sched_param ordinary{0};
-        pthread_setschedparam(pthread_self(), SCHED_OTHER, &ordinary);
-    }
+    leaveRealTime();
     setNice(kLoweredNice);
 }
 

@@ -23,6 +23,9 @@ struct ThreadPriority {
 /// Threads that the calling one starts later inherit what it got. Returns what the system then says.
 ThreadPriority raiseThreadPriority();
 
+/// For a helper that a raised thread starts, and that must not compete with it: as an ordinary thread.
+void resetThreadPriority();
+
 /// For work that can wait: behind every ordinary thread, and never in real time.
 void lowerThreadPriority();
 

@@ -23,7 +23,6 @@ namespace hexapose {
 namespace {
 
 constexpr int kBaudRates[] = {9600, 19200, 38400, 57600, 115200, 230400, 460800, 921600};
-constexpr int kUsualBaud = 115200;
 
 /// Looks for ports each time it is opened, because adapters come and go.
 class PortBox final : public QComboBox {
@@ -64,7 +63,7 @@ void ConnectionPanel::build() {
     for (const int rate : kBaudRates) {
         m_baud->addItem(QString::number(rate));
     }
-    m_baud->setCurrentText(QString::number(kUsualBaud));
+    m_baud->setCurrentText(QString::number(SerialConnection::kUsualBaud));
     m_solverLabel = makeCaption(this);
     m_solver = new QComboBox(this);
     for (const std::string_view word : kSolverChoices) {
@@ -129,22 +128,24 @@ bool ConnectionPanel::isVirtual() const {
     return m_port->currentText().trimmed() == m_port->itemText(0);
 }
 
-void ConnectionPanel::setChoice(const ConnectionChoice& choice) {
-    m_port->setEditText(choice.virtualPlatform ? m_port->itemText(0) : choice.port);
-    m_baud->setEditText(QString::number(choice.baud));
+void ConnectionPanel::setChoice(const ConnectionSpec& choice) {
+    const auto* serial = std::get_if<SerialConnection>(&choice);
+    m_port->setEditText(serial == nullptr ? m_port->itemText(0) : QString::fromStdString(serial->path));
+    if (serial != nullptr) {
+        m_baud->setEditText(QString::number(serial->baud));
+    }
 }
 
-std::optional<ConnectionChoice> ConnectionPanel::choice() const {
-    ConnectionChoice choice;
-    choice.virtualPlatform = isVirtual();
-    choice.port = choice.virtualPlatform ? QString() : m_port->currentText().trimmed();
+std::optional<ConnectionSpec> ConnectionPanel::choice() const {
+    if (isVirtual()) {
+        return VirtualConnection{};
+    }
+    const std::string path = m_port->currentText().trimmed().toStdString();
     const auto baud = parseInteger(m_baud->currentText().toStdString());
-    const bool baudFits = baud && *baud > 0 && *baud <= std::numeric_limits<int>::max();
-    if (!choice.virtualPlatform && (!baudFits || choice.port.isEmpty())) {
+    if (!baud || *baud <= 0 || *baud > std::numeric_limits<int>::max() || path.empty()) {
         return std::nullopt;
     }
-    choice.baud = baudFits ? static_cast<int>(*baud) : kUsualBaud;
-    return choice;
+    return SerialConnection{path, static_cast<int>(*baud)};
 }
 
 void ConnectionPanel::setAvailable(bool available) {
