@@ -257,6 +257,16 @@ TEST(Console, HelpNamesTheProgramAndItsOptions) {
         EXPECT_THAT(outcome.out, testing::HasSubstr(option));
 }
 
+TEST(Console, HeadlessEndsWhenNobodyAnswers) {
+    const Scratch scratch;
+    ForeignController::Traits silent;
+    silent.hellosNeeded = 1000000;
+    ForeignController controller(scratch.path("port"), silent, {});
+    const Outcome outcome = headless(scratch, {"--method", "newton", "--port", scratch.path("port")});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(outcome.err, "hexapose: no controller answered within 10 s\n");
+}
+
 /// Base and platform are similar hexagons: there is no pose to move to, and no solution to wait for.
 TEST(Console, HeadlessRefusesAPlatformThatIsSingularEverywhere) {
     Machine machine = octahedral();
