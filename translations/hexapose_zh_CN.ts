@@ -205,6 +205,10 @@ FSI：以小步沿支腿路径跟踪
 <context>
     <name>hexapose::Console</name>
     <message>
+        <source>%1 of %2 named poses in the settings cannot be read and are left out</source>
+        <translation>设置中的 %2 个已命名位姿有 %1 个无法读取，已略去</translation>
+    </message>
+    <message>
         <source>The training of the model was cancelled</source>
         <translation>模型训练已取消</translation>
     </message>

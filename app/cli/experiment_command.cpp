@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "app/cli/arguments.h"
 #include "app/cli/command.h"
 #include "app/cli/experiment/closed_loop_exhibit.h"
 #include "app/cli/experiment/closed_loop_trial.h"
@@ -9,6 +8,8 @@
 #include "app/cli/reproduce/exhibit_text.h"
 #include "app/cli/reproduce/reproduction_pdf.h"
 #include "app/cli/solver_choice.h"
+#include "app/common/arguments.h"
+#include "app/common/directories.h"
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/units.h"
@@ -68,18 +69,19 @@ experiment::TrialSettings settingsOf(const Arguments& arguments) {
 
 int experimentCommand(const QStringList& words) {
     const Arguments arguments(
-        "experiment", {QStringLiteral("closed-loop")},
-        withSolverOptions(
-            {{"out", "DIR", "Directory of the text, CSV, pictures and PDF."},
-             {"moves", "N", "Moves of each mode (default: 20)."},
-             {"seed", "S", "Of the targets (default: 1)."},
-             {"push-mm", "P", "Push of one leg during each move (default: 2)."},
-             {"push-s", "T", "Seconds that a push lasts (default: 0.6)."},
-             {"no-push", "", "Push no leg."},
-             {"time-constants-ms", "T|T1,...,T6", "Of the legs (default: 50,70,90,110,130,150)."},
-             {"leg-limit-mm-s", "V", "Fastest that the legs can go (default: 100)."},
-             {"resolution-mm", "R", "Step of the reported lengths (default: 0.1)."},
-             {"noise-mm", "N", "Standard deviation of the reported lengths (default: none)."}}),
+        {"hexapose-cli experiment",
+         {QStringLiteral("closed-loop")},
+         withSolverOptions(
+             {{"out", "DIR", "Directory of the text, CSV, pictures and PDF."},
+              {"moves", "N", "Moves of each mode (default: 20)."},
+              {"seed", "S", "Of the targets (default: 1)."},
+              {"push-mm", "P", "Push of one leg during each move (default: 2)."},
+              {"push-s", "T", "Seconds that a push lasts (default: 0.6)."},
+              {"no-push", "", "Push no leg."},
+              {"time-constants-ms", "T|T1,...,T6", "Of the legs (default: 50,70,90,110,130,150)."},
+              {"leg-limit-mm-s", "V", "Fastest that the legs can go (default: 100)."},
+              {"resolution-mm", "R", "Step of the reported lengths (default: 0.1)."},
+              {"noise-mm", "N", "Standard deviation of the reported lengths (default: none)."}})},
         words);
     if (arguments.operand(0) != "closed-loop")
         throw InputError("experiment",

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "app/cli/arguments.h"
 #include "app/cli/command.h"
 #include "app/cli/number_rows.h"
 #include "app/cli/solver_choice.h"
+#include "app/common/arguments.h"
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/unit_text.h"
@@ -98,17 +98,18 @@ void appendFallback(std::string& out, const PathFallback::Answer& answer) {
 
 int forwardCommand(const QStringList& words) {
     const Arguments arguments(
-        "forward", {QStringLiteral("LENGTHS.csv")},
-        {{"method", "M", "newton, newton-as-published, mpr2, mpr3, mpr2-nr, mpr3-nr (default) or fsi."},
-         {"model", "FILE", "Regression model (default: the platform's own, trained on first use)."},
-         {"start", "home|previous|POSE",
-          "Where iteration begins (default: home); POSE: six numbers, mm and deg."},
-         {"tolerance-mm", "T", "Largest residual of a solution, mm."},
-         {"max-iterations", "N", "Most Newton iterations (default: 50)."},
-         {"steps", "N", "Steps of fsi (default: 1000)."},
-         {"form", "open|closed|corrected", "Form of a step of fsi (default: corrected)."},
-         {"details", "", "Also bounds of the error, condition, standard deviations, and the fallback."},
-         {"resolution-mm", "R", "Resolution of the lengths, for --details (default: 0.1)."}},
+        {"hexapose-cli forward",
+         {QStringLiteral("LENGTHS.csv")},
+         {{"method", "M", "newton, newton-as-published, mpr2, mpr3, mpr2-nr, mpr3-nr (default) or fsi."},
+          {"model", "FILE", "Regression model (default: the platform's own, trained on first use)."},
+          {"start", "home|previous|POSE",
+           "Where iteration begins (default: home); POSE: six numbers, mm and deg."},
+          {"tolerance-mm", "T", "Largest residual of a solution, mm."},
+          {"max-iterations", "N", "Most Newton iterations (default: 50)."},
+          {"steps", "N", "Steps of fsi (default: 1000)."},
+          {"form", "open|closed|corrected", "Form of a step of fsi (default: corrected)."},
+          {"details", "", "Also bounds of the error, condition, standard deviations, and the fallback."},
+          {"resolution-mm", "R", "Resolution of the lengths, for --details (default: 0.1)."}}},
         words);
     const std::string start = arguments.text("start", "home");
     Pose from = startPose(start);

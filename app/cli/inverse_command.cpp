@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "app/cli/arguments.h"
 #include "app/cli/command.h"
 #include "app/cli/number_rows.h"
+#include "app/common/arguments.h"
 #include "core/base/unit_text.h"
 #include "core/base/units.h"
 #include "core/kinematics/inverse_kinematics.h"
@@ -17,7 +17,7 @@
 namespace hexapose {
 
 int inverseCommand(const QStringList& words) {
-    const Arguments arguments("inverse", {QStringLiteral("POSES.csv")}, {}, words);
+    const Arguments arguments({"hexapose-cli inverse", {QStringLiteral("POSES.csv")}, {}}, words);
     const PlatformGeometry platform = arguments.platform();
     const CsvTable table = readCsv(arguments.operand(0));
     const NumberRows rows(table, kPoseColumns);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "app/cli/command.h"
+#include "app/common/arguments.h"
 #include "core/base/input_error.h"
 
 #include <QCoreApplication>
@@ -67,6 +68,9 @@ int runGuarded(const Subcommand& command, const QStringList& arguments) {
         if (std::fflush(stdout) != 0 || std::ferror(stdout))
             throw InputError("standard output", std::strerror(errno));
         return status;
+    } catch (const HelpRequest& help) {
+        std::fputs(help.text.c_str(), stdout);
+        return kExitDone;
     } catch (const InputError& error) {
         std::fprintf(stderr, "hexapose-cli: %s\n", error.what());
         return kExitBadInput;

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "app/cli/arguments.h"
 #include "app/cli/command.h"
 #include "app/cli/solver_choice.h"
+#include "app/common/arguments.h"
 #include "core/base/input_error.h"
 #include "core/base/units.h"
 #include "core/record/log_reader.h"
@@ -42,9 +42,10 @@ PlatformGeometry platformOf(const SessionLog& log, const Arguments& arguments) {
 
 int reportCommand(const QStringList& words) {
     const Arguments arguments(
-        "report", {QStringLiteral("LOG.csv")},
-        withSolverOptions({{"out", "DIR", "Directory of report.pdf, errors.csv, errors.png and errors.svg."},
-                           {"resolution-mm", "R", "Resolution of the lengths (default: 0.1)."}}),
+        {"hexapose-cli report",
+         {QStringLiteral("LOG.csv")},
+         withSolverOptions({{"out", "DIR", "Directory of report.pdf, errors.csv, errors.png and errors.svg."},
+                            {"resolution-mm", "R", "Resolution of the lengths (default: 0.1)."}})},
         words);
     const std::string directory = arguments.requiredText("out");
     const double resolution = metresFromMm(arguments.positive("resolution-mm", 0.1));

@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "app/cli/arguments.h"
 #include "app/cli/command.h"
 #include "app/cli/reproduce/exhibit_files.h"
 #include "app/cli/reproduce/exhibit_text.h"
 #include "app/cli/reproduce/exhibits.h"
 #include "app/cli/reproduce/reproduction_pdf.h"
 #include "app/cli/solver_choice.h"
+#include "app/common/arguments.h"
+#include "app/common/directories.h"
 #include "core/base/input_error.h"
 #include "ui/plot/picture_files.h"
 
@@ -87,9 +88,10 @@ bool reportDeviations(const std::vector<Exhibit>& exhibits) {
 
 int reproduceCommand(const QStringList& words) {
     const Arguments arguments(
-        "reproduce",
-        {QStringLiteral("table2|table3|table4|table5|figure3|figure5|figure13|figure15|figure16|all")},
-        {{"out", "DIR", "Directory of the texts, CSV, pictures and (all) the PDF."}}, words);
+        {"hexapose-cli reproduce",
+         {QStringLiteral("table2|table3|table4|table5|figure3|figure5|figure13|figure15|figure16|all")},
+         {{"out", "DIR", "Directory of the texts, CSV, pictures and (all) the PDF."}}},
+        words);
     const std::string what = arguments.operand(0);
     const std::vector<ExhibitMaker> makers = chosenMakers(what);
     const fs::path directory = arguments.requiredText("out");

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "app/cli/arguments.h"
 #include "app/cli/command.h"
 #include "app/cli/interrupt.h"
-#include "app/cli/pose_run.h"
 #include "app/cli/solver_choice.h"
+#include "app/common/arguments.h"
 #include "app/common/device_factory.h"
 #include "app/common/platform_check.h"
 #include "app/common/port_check.h"
+#include "app/common/visit_words.h"
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/units.h"
@@ -17,6 +17,7 @@
 #include "core/record/motion_check_words.h"
 #include "core/record/pose_list.h"
 #include "core/report/error_report.h"
+#include "core/session/visit_job.h"
 #include "ui/report/report_export.h"
 
 #include <array>
@@ -96,12 +97,18 @@ private:
     std::vector<fs::path> m_made; ///< the innermost first
 };
 
-std::unique_ptr<PlatformDevice> openDevice(const std::string& port, const PlatformGeometry& platform,
-                                           int baud) {
+ConnectionSpec connectionOf(const std::string& port, int baud) {
     if (port == "virtual")
-        return makeVirtualDevice(platform);
+        return VirtualConnection{};
     requireSerialPort(port);
-    return makeSerialDevice(port, baud);
+    return SerialConnection{port, baud};
+}
+
+/// What follows from an end of this kind.
+std::string remedyOf(const VisitFailure& failure) {
+    const bool down = failure.state == RunState::Stopped || failure.state == RunState::Fault;
+    const bool refused = failure.event && failure.event->code == EventCode::CommandRefused;
+    return refused && down ? "; --clear leaves it first" : "";
 }
 
 /// "z,5,0.1,2,20": 5 mm along z, from 0.1 to 2 Hz in 20 s.
@@ -136,20 +143,21 @@ std::optional<SweepSettings> sweepOf(const Arguments& arguments) {
 
 int runCommand(const QStringList& words) {
     const Arguments arguments(
-        "run", {},
-        withSolverOptions(
-            {{"port", "PATH|virtual", "Serial port, or the built-in virtual platform."},
-             {"baud", "N", "Baud rate (default: 115200)."},
-             {"targets", "POSES.csv", "Attitudes to visit, in order."},
-             {"sweep", "AXIS,A,F0,F1,T",
-              "In place of targets: a sine about where it is, of A mm or deg, from F0 to F1 Hz in T s."},
-             {"mode", "joint|workspace", "Leg by leg, or closed on the pose (default: joint)."},
-             {"speed", "PERCENT", "Part of full speed (default: 100)."},
-             {"envelope-mm", "E", "No further from home along x, y, z (default: no limit)."},
-             {"envelope-deg", "E", "No further from home in alpha, beta, gamma."},
-             {"log", "LOG.csv", "The log to write; never one that exists."},
-             {"report", "DIR", "Write the error report into this directory."},
-             {"clear", "", "Clear a stop or fault of the controller first."}}),
+        {"hexapose-cli run",
+         {},
+         withSolverOptions(
+             {{"port", "PATH|virtual", "Serial port, or the built-in virtual platform."},
+              {"baud", "N", "Baud rate (default: 115200)."},
+              {"targets", "POSES.csv", "Attitudes to visit, in order."},
+              {"sweep", "AXIS,A,F0,F1,T",
+               "In place of targets: a sine about where it is, of A mm or deg, from F0 to F1 Hz in T s."},
+              {"mode", "joint|workspace", "Leg by leg, or closed on the pose (default: joint)."},
+              {"speed", "PERCENT", "Part of full speed (default: 100)."},
+              {"envelope-mm", "E", "No further from home along x, y, z (default: no limit)."},
+              {"envelope-deg", "E", "No further from home in alpha, beta, gamma."},
+              {"log", "LOG.csv", "The log to write; never one that exists."},
+              {"report", "DIR", "Write the error report into this directory."},
+              {"clear", "", "Clear a stop or fault of the controller first."}})},
         words);
     const std::string port = arguments.requiredText("port");
     const std::optional<SweepSettings> sweep = sweepOf(arguments);
@@ -162,15 +170,11 @@ int runCommand(const QStringList& words) {
     const double percent = arguments.positive("speed", 100.0);
     if (percent > 100.0)
         throw InputError("--speed", formatNumber(percent) + " is above 100");
-    const int baud = static_cast<int>(arguments.integer("baud", 115200, 50, 12000000));
+    const int baud = arguments.baud();
     const PlatformGeometry platform = arguments.platform();
     requireMovable(platform, arguments.text("platform", "laboratory"));
     const std::vector<Pose> targets = sweep ? std::vector<Pose>{Pose{}} : readPoseList(targetsFile);
-    PoseEnvelope envelope;
-    if (arguments.has("envelope-mm"))
-        envelope.furthest.head<3>().setConstant(metresFromMm(arguments.requiredPositive("envelope-mm")));
-    if (arguments.has("envelope-deg"))
-        envelope.furthest.tail<3>().setConstant(radiansFromDeg(arguments.requiredPositive("envelope-deg")));
+    const PoseEnvelope envelope = arguments.envelope();
     checkTargets(platform, envelope, targets, targetsFile);
     const ChosenSolver chosen = chooseSolver(arguments, platform);
     if (arguments.has("report"))
@@ -180,34 +184,42 @@ int runCommand(const QStringList& words) {
     std::optional<ReportDirectory> reportDirectory;
     if (arguments.has("report"))
         reportDirectory.emplace(arguments.requiredText("report"));
-    const std::unique_ptr<PlatformDevice> device = openDevice(port, platform, baud);
+    const ConnectionSpec connection = connectionOf(port, baud);
 
-    LogMetadata metadata;
-    metadata.platform = platform;
-    metadata.modelFingerprint = chosen.modelFingerprint;
-    metadata.solver = std::string(chosen.solver->name());
-    metadata.programVersion = HEXAPOSE_VERSION;
-    metadata.port = port;
-    LogWriter log(logFile, metadata);
+    SessionSetup setup;
+    setup.geometry = platform;
+    setup.solver = chosen.solver;
+    setup.modelFingerprint = chosen.modelFingerprint;
+    setup.programVersion = HEXAPOSE_VERSION;
+    setup.control.envelope = envelope;
+    catchInterrupts(); // before the loop's thread can enable anything
+    Session session(setup, [&platform](const ConnectionSpec& where) { return makeDevice(where, platform); });
+    session.open(connection, logFile);
     if (reportDirectory)
         reportDirectory->keep();
+    VisitJob::Options options;
+    options.mode = *mode;
+    options.speed = percent / 100.0;
+    options.sweep = sweep;
+    options.clearFirst = arguments.has("clear");
+    VisitJob job(targets, options);
+    runToTheEnd(job, session, interrupted);
 
-    catchInterrupts();
-    PoseRun run(*device, platform, *chosen.solver, log, targets,
-                {*mode, percent / 100.0, envelope, sweep, arguments.has("clear")});
-    run.run(interrupted);
-
-    const ErrorReport report = makeErrorReport(platform, *chosen.solver, run.samples());
+    const ErrorReport report = makeErrorReport(platform, *chosen.solver, job.samples());
     const std::string table = formatErrorCsv(report);
     std::fwrite(table.data(), 1, table.size(), stdout);
-    if (arguments.has("report") && !run.samples().empty())
+    if (arguments.has("report") && !job.samples().empty())
         exportErrorReport(report, arguments.requiredText("report"));
-    if (const auto lost = log.failure())
-        std::fprintf(stderr, "hexapose-cli: %s: %s\n", logFile.c_str(), lost->c_str());
-    if (run.failure())
+    const std::optional<std::string> logFailure = session.logFailure();
+    if (logFailure)
+        std::fprintf(stderr, "hexapose-cli: %s: %s\n", logFile.c_str(), logFailure->c_str());
+    std::string failure = failureWords(job);
+    if (job.failure())
+        failure += remedyOf(*job.failure());
+    if (!failure.empty())
         std::fprintf(stderr, "hexapose-cli: %s: visited %zu of %zu attitudes: %s\n", port.c_str(),
-                     run.visited(), targets.size(), run.failure()->c_str());
-    return run.failure() || log.failure() || report.failed > 0 ? kExitSomeFailed : kExitDone;
+                     job.visited(), job.count(), failure.c_str());
+    return !failure.empty() || logFailure || report.failed > 0 ? kExitSomeFailed : kExitDone;
 }
 
 } // namespace hexapose

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/cli/arguments.h"
+#include "app/common/arguments.h"
 #include "core/finite_step/path_fallback.h"
 #include "core/finite_step/step_form.h"
 #include "core/geometry/platform_geometry.h"

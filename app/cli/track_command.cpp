@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "app/cli/arguments.h"
 #include "app/cli/command.h"
 #include "app/cli/reproduce/tracking_picture.h"
 #include "app/cli/reproduce/tracking_table.h"
 #include "app/cli/solver_choice.h"
 #include "app/cli/track_drive.h"
+#include "app/common/arguments.h"
 #include "app/common/directories.h"
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
@@ -64,15 +64,16 @@ std::string stopText(const StepSystem& system, const Track& track, int steps) {
 
 int trackCommand(const QStringList& words) {
     const Arguments arguments(
-        "track", {},
-        {{"drive", "FILE.csv|reference",
-          "What the actuators do: a table over time_s, or the mechanism's own."},
-         {"steps", "N", "Steps (default: 1000)."},
-         {"out", "DIR", "Directory of tracking.csv, tracking.png and tracking.svg."},
-         {"mechanism", "NAME|FILE", "Mechanism: 6-ups (default), 3-ups-s, 6-pus, 6-rus, 3-rps, or a file."},
-         {"form", "open|closed|corrected", "Form of a step (default: closed)."},
-         {"rates", "equations|averages",
-          "Velocity and acceleration from the equations (default), or from averages of steps."}},
+        {"hexapose-cli track",
+         {},
+         {{"drive", "FILE.csv|reference",
+           "What the actuators do: a table over time_s, or the mechanism's own."},
+          {"steps", "N", "Steps (default: 1000)."},
+          {"out", "DIR", "Directory of tracking.csv, tracking.png and tracking.svg."},
+          {"mechanism", "NAME|FILE", "Mechanism: 6-ups (default), 3-ups-s, 6-pus, 6-rus, 3-rps, or a file."},
+          {"form", "open|closed|corrected", "Form of a step (default: closed)."},
+          {"rates", "equations|averages",
+           "Velocity and acceleration from the equations (default), or from averages of steps."}}},
         words);
     const std::string drive = arguments.requiredText("drive");
     const fs::path directory = arguments.requiredText("out");

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "app/cli/arguments.h"
 #include "app/cli/command.h"
 #include "app/cli/solver_choice.h"
+#include "app/common/arguments.h"
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/text_file.h"
@@ -50,13 +50,14 @@ void appendErrors(std::string& out, const char* name, const PoseVector& errors) 
 
 int trainCommand(const QStringList& words) {
     const Arguments arguments(
-        "train", {},
-        {{"degree", "D", "Degree of the polynomial, 1 to 4 (default: 3)."},
-         {"range-mm", "R", "Displacements within +-R mm (default: from the platform's size)."},
-         {"range-deg", "A", "Angles within +-A deg (default: from the platform)."},
-         {"samples", "N", "Training poses (default: 100000)."},
-         {"seed", "S", "Seed of the random poses (default: 1)."},
-         {"out", "FILE", "The model file to write; never over a file that is no model."}},
+        {"hexapose-cli train",
+         {},
+         {{"degree", "D", "Degree of the polynomial, 1 to 4 (default: 3)."},
+          {"range-mm", "R", "Displacements within +-R mm (default: from the platform's size)."},
+          {"range-deg", "A", "Angles within +-A deg (default: from the platform)."},
+          {"samples", "N", "Training poses (default: 100000)."},
+          {"seed", "S", "Seed of the random poses (default: 1)."},
+          {"out", "FILE", "The model file to write; never over a file that is no model."}}},
         words);
     const std::string file = arguments.requiredText("out");
     checkOut(file);

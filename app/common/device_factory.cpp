@@ -53,4 +53,10 @@ std::unique_ptr<PlatformDevice> makeVirtualDevice(const PlatformGeometry& geomet
     return std::make_unique<VirtualDevice>(geometry);
 }
 
+std::unique_ptr<PlatformDevice> makeDevice(const ConnectionSpec& connection,
+                                           const PlatformGeometry& geometry) {
+    const auto* serial = std::get_if<SerialConnection>(&connection);
+    return serial ? makeSerialDevice(serial->path, serial->baud) : makeVirtualDevice(geometry);
+}
+
 } // namespace hexapose

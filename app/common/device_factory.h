@@ -4,6 +4,7 @@
 
 #include "core/device/platform_device.h"
 #include "core/geometry/platform_geometry.h"
+#include "core/session/connection.h"
 
 #include <memory>
 #include <string>
@@ -15,5 +16,9 @@ std::unique_ptr<PlatformDevice> makeSerialDevice(const std::string& portPath, in
 
 /// The built-in virtual platform behind a real pseudo-terminal, opened through the same serial channel.
 std::unique_ptr<PlatformDevice> makeVirtualDevice(const PlatformGeometry& geometry);
+
+/// What a session connects to.
+std::unique_ptr<PlatformDevice> makeDevice(const ConnectionSpec& connection,
+                                           const PlatformGeometry& geometry);
 
 } // namespace hexapose

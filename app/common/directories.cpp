@@ -53,6 +53,13 @@ fs::path findShipped(const std::string& nameOrFile, const std::string& what, con
 
 } // namespace
 
+void makeDirectory(const fs::path& directory) {
+    std::error_code error;
+    fs::create_directories(directory, error);
+    if (error)
+        throw InputError(directory.string(), "cannot be made: " + error.message());
+}
+
 fs::path cacheDirectory() {
     return fromEnvironment("XDG_CACHE_HOME", ".cache") / "hexapose";
 }

@@ -7,6 +7,8 @@
 
 namespace hexapose {
 
+/// With its parents. Throws InputError when it cannot be made.
+void makeDirectory(const std::filesystem::path& directory);
 /// $XDG_CACHE_HOME/hexapose, or ~/.cache/hexapose.
 std::filesystem::path cacheDirectory();
 /// $XDG_DATA_HOME/hexapose/logs, or ~/.local/share/hexapose/logs.

@@ -49,4 +49,10 @@ void requireSerialPort(const std::string& path) {
         throw InputError(path, "is not a serial port");
 }
 
+void refuseOtherThanPort(const std::string& path) {
+    struct stat status {};
+    if (stat(path.c_str(), &status) == 0 && !S_ISCHR(status.st_mode))
+        throw InputError(path, "is not a serial port");
+}
+
 } // namespace hexapose

@@ -11,4 +11,8 @@ namespace hexapose {
 /// waited for instead.
 void requireSerialPort(const std::string& path);
 
+/// A port may come later, but not where something else is. Throws InputError when the path is that of a file,
+/// a directory or the like.
+void refuseOtherThanPort(const std::string& path);
+
 } // namespace hexapose

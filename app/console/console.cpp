@@ -35,11 +35,11 @@ QStringList serialPortPaths() {
 
 } // namespace
 
-Console::Console(QApplication& application, const ConsoleOptions& options, const PlatformGeometry& geometry)
-    : m_application(application), m_options(options), m_geometry(geometry) {
+Console::Console(QApplication& application, const ConsoleOptions& options)
+    : m_application(application), m_options(options), m_geometry(options.geometry) {
     QSettings settings;
     chooseLook(settings);
-    m_window = std::make_unique<OperatorWindow>(geometry, serialPortPaths);
+    m_window = std::make_unique<OperatorWindow>(m_geometry, serialPortPaths);
     m_window->setWindowIcon(QIcon(QStringLiteral(":/icons/hexapose.svg")));
     m_window->setColors(themeColors(m_theme));
     if (m_options.connection) {
@@ -61,7 +61,7 @@ Console::Console(QApplication& application, const ConsoleOptions& options, const
                              QString::fromLatin1(word.data(), static_cast<qsizetype>(word.size())));
     });
     NamedPoses& named = m_window->targetPanel().namedPoses();
-    named.setPoses(loadNamedPoses(settings, geometry.fingerprint()));
+    loadPoses(named, settings);
     connect(&named, &NamedPoses::changed, this, [this, &named] {
         QSettings kept;
         saveNamedPoses(kept, m_geometry.fingerprint(), named.poses());
@@ -89,6 +89,22 @@ void Console::chooseLook(QSettings& settings) {
     m_theme = m_options.theme.value_or(remembered.value_or(desktopTheme()));
     m_application.setFont(fontWithFallbacks(m_application.font()));
     applyTheme(m_application, m_theme);
+}
+
+void Console::loadPoses(NamedPoses& named, QSettings& settings) {
+    const LoadedPoses loaded = loadNamedPoses(settings, m_geometry.fingerprint());
+    named.setPoses(loaded.poses);
+    if (loaded.dropped == 0) {
+        return;
+    }
+    m_window->events().addNote(
+        [dropped = loaded.dropped, all = loaded.dropped + static_cast<int>(loaded.poses.size())] {
+            return EventText{tr("%1 of %2 named poses in the settings cannot be read and are left out")
+                                 .arg(QString::number(dropped), QString::number(all)),
+                             {},
+                             Tone::Warn};
+        },
+        std::chrono::system_clock::now());
 }
 
 void Console::start() {
@@ -129,14 +145,14 @@ void Console::openSession(const ReadySolver& solver) {
     setup.programVersion = HEXAPOSE_VERSION;
     setup.logDirectory = m_options.logDirectory;
     setup.control.envelope = m_options.envelope;
-    const auto makeDevice = [geometry = m_geometry](const ConnectionChoice& choice) {
-        return choice.virtualPlatform ? makeVirtualDevice(geometry)
-                                      : makeSerialDevice(choice.port.toStdString(), choice.baud);
-    };
-    m_window->setSession(std::make_unique<Session>(setup, makeDevice));
+    m_window->setSession(
+        std::make_unique<Session>(setup, [geometry = m_geometry](const ConnectionSpec& connection) {
+            return makeDevice(connection, geometry);
+        }));
     if (m_options.connection) {
         m_window->connectTo(*m_options.connection);
     }
+    emit sessionReady();
 }
 
 /// At the start Newton's method serves in place of the model, later on what was there before.

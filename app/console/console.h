@@ -18,17 +18,25 @@ class QSettings;
 
 namespace hexapose {
 
+class NamedPoses;
+
 /// Puts the console together: look, language, window, solver, session.
 class Console final : public QObject {
     Q_OBJECT
 public:
-    Console(QApplication& application, const ConsoleOptions& options, const PlatformGeometry& geometry);
+    Console(QApplication& application, const ConsoleOptions& options);
     ~Console() override;
     void start();
     OperatorWindow& window() { return *m_window; }
 
+signals:
+    /// A solver is ready and the session is there; open when an option named a connection and its log could
+    /// be created.
+    void sessionReady();
+
 private:
     void chooseLook(QSettings& settings);
+    void loadPoses(NamedPoses& named, QSettings& settings);
     void makeSolver(const std::string& method);
     void useSolver(const ReadySolver& solver);
     void openSession(const ReadySolver& solver);

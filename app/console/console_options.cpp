@@ -2,202 +2,92 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/console_options.h"
 
+#include "app/common/arguments.h"
 #include "core/base/input_error.h"
-#include "core/base/number_text.h"
-#include "core/base/units.h"
 #include "ui/common/language.h"
 #include "ui/common/solver_choices.h"
 
-#include <string_view>
-#include <unistd.h>
-
 #include <cerrno>
 #include <cstring>
-#include <limits>
-#include <set>
+#include <unistd.h>
+#include <vector>
 
 namespace hexapose {
 
 namespace {
 
-int baudOf(const std::string& text) {
-    const auto baud = parseInteger(text);
-    if (!baud || *baud <= 0 || *baud > std::numeric_limits<int>::max()) {
-        throw InputError("--baud " + text, "not a baud rate, which is a whole number above zero");
-    }
-    return static_cast<int>(*baud);
+Usage usage() {
+    return {
+        "hexapose",
+        {},
+        {{"virtual", "", "Connect to the built-in virtual platform at once."},
+         {"port", "PATH", "Connect to this serial port at once; one that is not there yet is waited for."},
+         {"baud", "N", "Its baud rate (default: 115200)."},
+         {"method", "M",
+          "Forward method for this once: mpr3-nr, mpr2-nr, newton, or fsi, which follows the path of "
+          "the legs in small steps (default: the one chosen last, at first mpr3-nr)."},
+         {"envelope-mm", "E", "Refuse moves further than E mm from home along x, y or z."},
+         {"envelope-deg", "E", "Refuse moves further than E degrees in alpha, beta or gamma."},
+         {"log-dir", "DIR", "Where the logs go."},
+         {"language", "CODE", "en or zh_CN (default: the desktop's)."},
+         {"theme", "light|dark", "Look of the window (default: the desktop's)."},
+         {"headless", "",
+          "Without a display: run one move and a report of three attitudes, print the paths of log, "
+          "report and picture."},
+         {"output", "DIR", "Where --headless puts report and picture (default: beside the log)."},
+         {"version", "", "Show the version."}},
+        "The operator console of a six-legged parallel platform.",
+        "Esc stops the motion wherever the focus is; Help, Keys lists the other keys."};
 }
 
-QString languageOf(const std::string& text) {
-    const QString code = languageFromText(QString::fromStdString(text));
+QString languageOf(const Arguments& arguments) {
+    const QString code = languageFromText(QString::fromStdString(arguments.text("language", "")));
+    std::vector<std::string> known;
+    for (const Language& language : languages()) {
+        known.push_back(language.code.toStdString());
+    }
     if (code.isEmpty()) {
-        std::string known;
-        for (const Language& language : languages()) {
-            known += (known.empty() ? "" : ", ") + language.code.toStdString();
-        }
-        throw InputError("--language " + text, "no such language; there are " + known);
+        arguments.choice("language", known, ""); // names those that there are
     }
     return code;
 }
 
-/// Of the envelope: millimetres or degrees.
-double distanceOf(const std::string& option, const std::string& text) {
-    const auto distance = parseNumber(text);
-    if (!distance || !(*distance > 0.0)) {
-        throw InputError(option + " " + text, "not a number above zero");
+std::optional<ConnectionSpec> connectionOf(const Arguments& arguments) {
+    const int baud = arguments.baud();
+    if (arguments.has("virtual") && arguments.has("port")) {
+        throw InputError("--port", "cannot be used together with --virtual");
     }
-    return *distance;
-}
-
-std::string methodOf(const std::string& text) {
-    if (!isSolverChoice(text)) {
-        std::string known;
-        for (const std::string_view word : kSolverChoices) {
-            known += (known.empty() ? "" : ", ") + std::string(word);
-        }
-        throw InputError("--method " + text, "no such method; there are " + known);
+    if (arguments.has("port")) {
+        return SerialConnection{arguments.requiredText("port"), baud};
     }
-    return text;
-}
-
-ThemeKind themeOf(const std::string& text) {
-    const auto theme = themeFromWord(text);
-    if (!theme) {
-        throw InputError("--theme " + text, "no such theme; there are light, dark");
+    if (arguments.has("virtual") || arguments.has("headless")) {
+        return VirtualConnection{};
     }
-    return *theme;
-}
-
-/// Walks over "--name value" and "--name=value".
-class Words {
-public:
-    explicit Words(const std::vector<std::string>& words) : m_words(words) {}
-
-    bool next() {
-        if (m_at == m_words.size()) {
-            return false;
-        }
-        m_name = m_words[m_at++];
-        m_value.reset();
-        if (const std::size_t equals = m_name.find('=');
-            m_name.starts_with("--") && equals != std::string::npos) {
-            m_value = m_name.substr(equals + 1);
-            m_name.resize(equals);
-        }
-        return true;
-    }
-    const std::string& name() const { return m_name; }
-    std::string value() {
-        if (!m_value && m_at < m_words.size() && !m_words[m_at].starts_with("--")) {
-            m_value = m_words[m_at++];
-        }
-        if (!m_value || m_value->empty()) {
-            throw InputError(m_name, "needs a value");
-        }
-        return *m_value;
-    }
-    void noValue() const {
-        if (m_value) {
-            throw InputError(m_name, "takes no value");
-        }
-    }
-
-private:
-    const std::vector<std::string>& m_words;
-    std::size_t m_at = 0;
-    std::string m_name;
-    std::optional<std::string> m_value;
-};
-
-/// The switches, which take no value; false for another option.
-bool takeSwitch(ConsoleOptions& options, bool& virtualWanted, const std::string& name) {
-    if (name == "--virtual") {
-        virtualWanted = true;
-    } else if (name == "--headless") {
-        options.headless = true;
-    } else if (name == "--help" || name == "-h") {
-        options.help = true;
-    } else if (name == "--version") {
-        options.version = true;
-    } else {
-        return false;
-    }
-    return true;
+    return std::nullopt;
 }
 
 } // namespace
 
-ConsoleOptions parseOperatorOptions(const std::vector<std::string>& arguments) {
+ConsoleOptions parseConsoleOptions(const QStringList& words) {
+    const Arguments arguments(usage(), words);
     ConsoleOptions options;
-    ConnectionChoice serial{false, {}, ConnectionChoice{}.baud};
-    bool virtualWanted = false;
-    Words words(arguments);
-    std::set<std::string> given;
-    while (words.next()) {
-        const std::string& name = words.name();
-        if (!given.insert(name).second) {
-            throw InputError(name, "is given twice");
-        }
-        if (takeSwitch(options, virtualWanted, name)) {
-            words.noValue();
-        } else if (name == "--port") {
-            serial.port = QString::fromStdString(words.value());
-        } else if (name == "--baud") {
-            serial.baud = baudOf(words.value());
-        } else if (name == "--platform") {
-            options.platform = words.value();
-        } else if (name == "--method") {
-            options.method = methodOf(words.value());
-        } else if (name == "--envelope-mm") {
-            options.envelope.furthest.head<3>().setConstant(metresFromMm(distanceOf(name, words.value())));
-        } else if (name == "--envelope-deg") {
-            options.envelope.furthest.tail<3>().setConstant(radiansFromDeg(distanceOf(name, words.value())));
-        } else if (name == "--log-dir") {
-            options.logDirectory = words.value();
-        } else if (name == "--language") {
-            options.language = languageOf(words.value());
-        } else if (name == "--theme") {
-            options.theme = themeOf(words.value());
-        } else if (name == "--output") {
-            options.output = words.value();
-        } else {
-            throw InputError(name, "unknown option; --help lists them");
-        }
+    options.version = arguments.has("version");
+    if (options.version) {
+        return options;
     }
-    if (virtualWanted && !serial.port.isEmpty()) {
-        throw InputError("--port", "cannot be used together with --virtual");
-    }
+    options.connection = connectionOf(arguments);
+    options.method = arguments.choice("method", {kSolverChoices.begin(), kSolverChoices.end()}, "");
+    options.envelope = arguments.envelope();
+    options.logDirectory = arguments.text("log-dir", "");
+    options.language = languageOf(arguments);
+    options.theme = themeFromWord(arguments.choice("theme", {"light", "dark"}, ""));
+    options.headless = arguments.has("headless");
+    options.output = arguments.text("output", "");
     if (!options.output.empty() && !options.headless) {
         throw InputError("--output", "is for --headless only");
     }
-    if (!serial.port.isEmpty()) {
-        options.connection = serial;
-    } else if (virtualWanted || options.headless) {
-        options.connection = ConnectionChoice{true, {}, serial.baud};
-    }
+    options.geometry = arguments.platform();
     return options;
-}
-
-std::string operatorHelp() {
-    return "Usage: hexapose [options]\n"
-           "The operator console of a six-legged parallel platform.\n\n"
-           "  --virtual         connect to the built-in virtual platform at once\n"
-           "  --port PATH       connect to this serial port at once\n"
-           "  --baud N          its baud rate (115200)\n"
-           "  --platform FILE   platform file, or the name of a shipped one (laboratory)\n"
-           "  --method M        forward method for this once: mpr3-nr, mpr2-nr, newton, or fsi, which "
-           "follows\n"
-           "                    the way of the legs in small steps (the one chosen last, at first mpr3-nr)\n"
-           "  --envelope-mm E   no further from home along x, y, z, and\n"
-           "  --envelope-deg E  no further in alpha, beta, gamma: such moves are refused (no limit)\n"
-           "  --log-dir DIR     where the logs go\n"
-           "  --language CODE   en or zh_CN (the desktop's)\n"
-           "  --theme light|dark\n"
-           "  --headless        without a display: run one move and a report of three attitudes, print\n"
-           "                    the paths of log, report and picture\n"
-           "  --output DIR      where the headless run puts report and picture (beside the log)\n"
-           "  --help, --version\n\n"
-           "Esc stops the motion wherever the focus is; the other keys are told under Help, Keys.\n";
 }
 
 void requireWritable(const std::filesystem::path& directory, const std::string& option) {

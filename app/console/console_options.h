@@ -3,20 +3,22 @@
 #pragma once
 
 #include "core/motion/limits.h"
+#include "core/session/connection.h"
 #include "ui/common/theme.h"
-#include "ui/session/session.h"
+
+#include <QString>
+#include <QStringList>
 
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace hexapose {
 
 /// What the command line asks of the console.
 struct ConsoleOptions {
-    std::optional<ConnectionChoice> connection; ///< connect at once; empty: the operator does
-    std::string platform = "laboratory";
+    std::optional<ConnectionSpec> connection; ///< connect at once; empty: the operator does
+    PlatformGeometry geometry;
     std::string method;                 ///< of kSolverChoices; empty: remembered, or the first of them
     PoseEnvelope envelope;              ///< no further from home
     std::filesystem::path logDirectory; ///< empty: the usual one
@@ -24,13 +26,11 @@ struct ConsoleOptions {
     std::optional<ThemeKind> theme;
     bool headless = false;
     std::filesystem::path output; ///< of the headless run; empty: beside the log
-    bool help = false;
     bool version = false;
 };
 
-/// Throws InputError "option: what is wrong" for anything that does not fit.
-ConsoleOptions parseOperatorOptions(const std::vector<std::string>& arguments);
-std::string operatorHelp();
+/// Throws InputError "option: what is wrong" for anything that does not fit, and HelpRequest.
+ConsoleOptions parseConsoleOptions(const QStringList& words);
 
 /// Makes the directory when it is missing. Throws InputError "option dir: reason" unless files can be made in
 /// it.

@@ -17,6 +17,7 @@ EndSignals::EndSignals() {
         sigaddset(&awaited, number);
     }
     pthread_sigmask(SIG_BLOCK, &awaited, nullptr);
+    std::signal(SIGPIPE, SIG_IGN); // who reads our messages may go; the platform is still to be stopped
     m_descriptor = signalfd(-1, &awaited, SFD_CLOEXEC | SFD_NONBLOCK);
 }
 

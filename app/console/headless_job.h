@@ -2,53 +2,57 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/console/window/operator_window.h"
+#include "core/session/visit_job.h"
 
-#include <QElapsedTimer>
 #include <QObject>
-#include <QStringList>
+#include <QPixmap>
 #include <QTimer>
 
-#include <array>
 #include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
 
 namespace hexapose {
 
-/// The operator's main job without an operator: types a target into the window's own fields, presses Run,
-/// waits until it has settled, runs a short report, exports it and keeps a picture of the window.
+/// The operator's main job without an operator: moves to the first pose, visits the others, writes a report
+/// of these and a picture. Looks at the session's snapshots on a timer of its own.
 class HeadlessJob final : public QObject {
     Q_OBJECT
 public:
-    /// output: empty for beside the log.
-    HeadlessJob(OperatorWindow& window, const std::filesystem::path& output, QObject* parent = nullptr);
-    void start();
+    struct Output {
+        std::filesystem::path folder; ///< empty: beside the log
+        std::function<QPixmap()> picture;
+    };
+
+    /// At least one target.
+    HeadlessJob(const std::vector<Pose>& targets, Output output, QObject* parent = nullptr);
+    /// The session is open from now on; it must outlive the job.
+    void start(Session& session);
     /// Stops, disables and ends with the status of a failure.
-    void interrupt() { fail(QStringLiteral("interrupted")); }
+    void interrupt();
+    /// Ends with the status of a failure, for a reason of the program's own.
+    void fail(const std::string& reason);
 
 signals:
+    /// The platform has nothing more to do: disconnect.
+    void over();
     /// exitStatus: 0 or 1.
     void finished(int exitStatus);
 
 private:
-    enum class Step { Connecting, Starting, Moving, Reporting, Exporting, Ended };
-    void advance();
-    void nextStep();
-    void typeTarget();
-    void type(const std::array<double, 6>& shown);
-    void startReport();
-    void savePicture();
-    void watch(const Event& event);
-    void fail(const QString& reason);
-    void end(int exitStatus);
-    void press(const char* button);
+    void look();
+    void complete();
+    bool isMove(const SettledSample& sample) const;
+    int write(const QPixmap& picture);
 
-    OperatorWindow& m_window;
-    std::filesystem::path m_output;
-    Step m_step = Step::Connecting;
+    Pose m_first; ///< where the move leads
+    VisitJob m_job;
+    Output m_output;
+    Session* m_session = nullptr;
+    SnapshotReader m_reader;
     QTimer m_timer;
-    QElapsedTimer m_sinceStep;
-    QStringList m_files;
-    QString m_logFile;
+    bool m_ended = false;
 };
 
 } // namespace hexapose

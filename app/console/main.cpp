@@ -1,14 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/common/arguments.h"
 #include "app/common/directories.h"
 #include "app/common/platform_check.h"
 #include "app/common/port_check.h"
 #include "app/console/console.h"
 #include "app/console/console_options.h"
 #include "app/console/end_signals.h"
+#include "app/console/exit_guard.h"
 #include "app/console/headless_job.h"
 #include "core/base/input_error.h"
-#include "core/geometry/geometry_file.h"
+#include "core/session/trial_poses.h"
 
 #include <QApplication>
 #include <QLocale>
@@ -16,13 +18,16 @@
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <unistd.h>
+#include <vector>
 
 namespace {
 
 using namespace hexapose;
 
 constexpr int kBadInput = 2;
+constexpr int kReportAttitudes = 3; ///< enough to show the report without a long wait
 
 int refuse(const char* message) {
     std::fprintf(stderr, "hexapose: %s\n", message);
@@ -51,7 +56,22 @@ void tellMessage(QtMsgType type, const QMessageLogContext& /*context*/, const QS
     }
 }
 
-int runConsole(const ConsoleOptions& options, const PlatformGeometry& geometry) {
+/// A port that is not there is waited for, as when the window is asked for it; without a window nobody would
+/// see that.
+void checkPort(const ConsoleOptions& options) {
+    const auto* serial = options.connection ? std::get_if<SerialConnection>(&*options.connection) : nullptr;
+    if (serial == nullptr) {
+        return;
+    }
+    if (options.headless) {
+        requireSerialPort(serial->path);
+    } else {
+        refuseOtherThanPort(serial->path);
+    }
+}
+
+/// trial: what a headless run visits; empty for a window.
+int runConsole(const ConsoleOptions& options, const std::vector<Pose>& trial) {
     // Our own options are not for Qt: it would take --platform for one of its own.
     static char name[] = "hexapose";
     static char* arguments[] = {name, nullptr};
@@ -70,12 +90,28 @@ int runConsole(const ConsoleOptions& options, const PlatformGeometry& geometry) 
     QCoreApplication::setApplicationVersion(QStringLiteral(HEXAPOSE_VERSION));
     QGuiApplication::setDesktopFileName(QStringLiteral("hexapose"));
 
-    Console console(application, options, geometry);
-    HeadlessJob job(console.window(), options.output);
+    Console console(application, options);
+    const ExitGuard guard([&console] {
+        if (Session* session = console.window().session()) {
+            session->close(); // and leave the window, which may have no display
+        }
+    });
+    std::unique_ptr<HeadlessJob> job;
+    if (options.headless) {
+        job = std::make_unique<HeadlessJob>(
+            trial, HeadlessJob::Output{options.output, [&console] { return console.window().grab(); }});
+        QObject::connect(&console, &Console::sessionReady, job.get(), [&] {
+            Session& session = *console.window().session();
+            session.isOpen() ? job->start(session) : job->fail("the log cannot be created");
+        });
+        QObject::connect(job.get(), &HeadlessJob::over, &console.window(), &OperatorWindow::disconnectFrom);
+        QObject::connect(job.get(), &HeadlessJob::finished, &application, &QCoreApplication::exit,
+                         Qt::QueuedConnection);
+    }
     // As by Disconnect: stop, disable, close the log; then the program ends.
     QObject::connect(&endSignals, &EndSignals::received, &application, [&] {
-        if (options.headless) {
-            job.interrupt();
+        if (job) {
+            job->interrupt();
         } else {
             console.window().disconnectFrom();
             QCoreApplication::exit(0);
@@ -83,11 +119,6 @@ int runConsole(const ConsoleOptions& options, const PlatformGeometry& geometry) 
     });
     endSignals.watch();
     console.start();
-    if (options.headless) {
-        QObject::connect(&job, &HeadlessJob::finished, &application, &QCoreApplication::exit,
-                         Qt::QueuedConnection);
-        job.start();
-    }
     return QApplication::exec();
 }
 
@@ -95,22 +126,22 @@ int runConsole(const ConsoleOptions& options, const PlatformGeometry& geometry) 
 
 int main(int argc, char* argv[]) {
     try {
-        ConsoleOptions options = parseOperatorOptions({argv + 1, argv + argc});
-        if (options.help) {
-            std::fputs(operatorHelp().c_str(), stdout);
-            return 0;
+        QStringList words;
+        for (int i = 1; i < argc; ++i) {
+            words.append(QString::fromLocal8Bit(argv[i]));
         }
+        ConsoleOptions options = parseConsoleOptions(words);
         if (options.version) {
             std::puts("hexapose " HEXAPOSE_VERSION);
             return 0;
         }
-        const PlatformGeometry geometry = loadPlatform(findPlatformFile(options.platform));
         if (options.headless) {
-            requireMovable(geometry, options.platform);
+            requireMovable(options.geometry, options.platform);
         }
-        if (options.connection && !options.connection->virtualPlatform) {
-            requireSerialPort(options.connection->port.toStdString());
-        }
+        checkPort(options);
+        const std::vector<Pose> trial = options.headless
+                                            ? trialPoses(options.geometry, options.envelope, kReportAttitudes)
+                                            : std::vector<Pose>();
         if (options.logDirectory.empty()) {
             options.logDirectory = defaultLogDirectory();
         }
@@ -123,7 +154,10 @@ int main(int argc, char* argv[]) {
         } else if (!hasDisplay()) {
             return refuse("there is no display; --headless works without one");
         }
-        return runConsole(options, geometry);
+        return runConsole(options, trial);
+    } catch (const HelpRequest& help) {
+        std::fputs(help.text.c_str(), stdout);
+        return 0;
     } catch (const InputError& error) {
         return refuse(error.what());
     }

@@ -8,6 +8,7 @@
 #include <QSettings>
 #include <QStringList>
 
+#include <algorithm>
 #include <optional>
 
 namespace hexapose {
@@ -34,21 +35,37 @@ std::optional<Pose> poseFromTexts(const QStringList& texts) {
     return si.allFinite() ? std::optional(Pose::fromVector(si)) : std::nullopt;
 }
 
-} // namespace
-
-std::vector<NamedPose> loadNamedPoses(QSettings& settings, const std::string& platformFingerprint) {
-    std::vector<NamedPose> poses;
-    const int count = settings.beginReadArray(groupOf(platformFingerprint));
-    for (int i = 0; i < count; ++i) {
-        settings.setArrayIndex(i);
-        const QString name = settings.value(QStringLiteral("name")).toString().simplified();
-        const auto pose = poseFromTexts(settings.value(QStringLiteral("pose")).toStringList());
-        if (!name.isEmpty() && pose) {
-            poses.push_back({name, *pose});
+/// The entries of an array, in order: "1", "2", ...
+std::vector<int> indexesOf(const QStringList& groups) {
+    std::vector<int> indexes;
+    for (const QString& group : groups) {
+        const int index = group.toInt();
+        if (index >= 1) {
+            indexes.push_back(index);
         }
     }
-    settings.endArray();
-    return poses;
+    std::sort(indexes.begin(), indexes.end());
+    return indexes;
+}
+
+} // namespace
+
+LoadedPoses loadNamedPoses(QSettings& settings, const std::string& platformFingerprint) {
+    LoadedPoses loaded;
+    settings.beginGroup(groupOf(platformFingerprint));
+    // Those that are there: the size beside them may be any number after a slip of the hand.
+    for (const int index : indexesOf(settings.childGroups())) {
+        const QString entry = QString::number(index) + QLatin1Char('/');
+        const QString name = settings.value(entry + QStringLiteral("name")).toString().simplified();
+        const auto pose = poseFromTexts(settings.value(entry + QStringLiteral("pose")).toStringList());
+        if (!name.isEmpty() && pose) {
+            loaded.poses.push_back({name, *pose});
+        } else {
+            ++loaded.dropped;
+        }
+    }
+    settings.endGroup();
+    return loaded;
 }
 
 void saveNamedPoses(QSettings& settings, const std::string& platformFingerprint,

@@ -3,6 +3,8 @@
 
 #include "core/machine/planner.h"
 
+#include "core/base/thread_priority.h"
+
 #include <utility>
 
 namespace hexapose {
@@ -42,6 +44,7 @@ std::shared_ptr<const PlannedMotion> PlanningThread::take() {
 }
 
 void PlanningThread::run(const std::stop_token& stop) {
+    resetThreadPriority(); // the loop starts it, and must not wait for it
     std::unique_lock lock(m_mutex);
     while (m_changed.wait(lock, stop, [this] { return m_job.has_value(); })) {
         const PlanJob job = *std::exchange(m_job, std::nullopt);

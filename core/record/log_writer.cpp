@@ -26,6 +26,8 @@ constexpr std::size_t kQueueRows = 4096;
 constexpr std::size_t kFaultCycles = 500; ///< kept from before a fault
 constexpr int kMostFaultFiles = 100;      ///< of a session: a broken line must not fill the disk
 
+using SnapshotPtr = std::shared_ptr<const Snapshot>;
+
 std::string lostText(std::uint64_t lost) {
     return std::to_string(lost) + " rows lost";
 }
@@ -36,11 +38,12 @@ struct LogWriter::Impl {
     Impl(const std::filesystem::path& csvFile, const LogMetadata& metadata);
     ~Impl();
 
+    void finish();
     bool becomesRow(const Snapshot& snapshot);
     void run(const std::stop_token& stop);
     void format();
     bool write();
-    void remember(const Snapshot& snapshot);
+    void remember(const SnapshotPtr& snapshot);
     void writeFaults();
 
     std::filesystem::path path;
@@ -49,24 +52,24 @@ struct LogWriter::Impl {
     // The loop's side.
     std::optional<RunState> lastState;
     std::chrono::nanoseconds lastRowTime{0};
-    std::vector<Snapshot> recent; ///< a ring; memory is taken once
+    std::vector<SnapshotPtr> recent; ///< a ring; memory is taken once
     std::size_t nextRecent = 0;
     int faultsSeen = 0;
 
     // Shared.
     mutable std::mutex mutex;
     std::condition_variable_any wake;
-    std::vector<Snapshot> queue;
+    std::vector<SnapshotPtr> queue;
     std::uint64_t taken = 0;
     std::uint64_t lost = 0;
     std::uint64_t lostUntold = 0; ///< since the last row that tells of it
     std::string writeFailure;
     std::string faultFailure;
-    std::vector<std::vector<Snapshot>> faults; ///< to be written, each from the oldest cycle on
+    std::vector<std::vector<SnapshotPtr>> faults; ///< to be written, each from the oldest cycle on
 
     // The writer's side.
     int faultFiles = 0;
-    std::vector<Snapshot> batch;
+    std::vector<SnapshotPtr> batch;
     std::string text; ///< formatted and not yet written
     std::size_t textDone = 0;
 
@@ -96,6 +99,12 @@ LogWriter::Impl::Impl(const std::filesystem::path& csvFile, const LogMetadata& m
 }
 
 LogWriter::Impl::~Impl() {
+    finish();
+}
+
+void LogWriter::Impl::finish() {
+    if (!thread.joinable())
+        return;
     thread.request_stop();
     thread.join();
 }
@@ -130,16 +139,17 @@ void LogWriter::Impl::run(const std::stop_token& stop) {
 }
 
 /// Every cycle, on the loop's side; a fault hands all that is remembered over to the writer.
-void LogWriter::Impl::remember(const Snapshot& snapshot) {
+void LogWriter::Impl::remember(const SnapshotPtr& snapshot) {
     if (recent.size() < kFaultCycles)
         recent.push_back(snapshot);
     else
         recent[nextRecent] = snapshot;
     nextRecent = (nextRecent + 1) % kFaultCycles;
     const auto isBad = [](const Event& event) { return isFault(event.code); };
-    if (std::none_of(snapshot.events.begin(), snapshot.events.end(), isBad) || ++faultsSeen > kMostFaultFiles)
+    if (std::none_of(snapshot->events.begin(), snapshot->events.end(), isBad) ||
+        ++faultsSeen > kMostFaultFiles)
         return;
-    std::vector<Snapshot> record;
+    std::vector<SnapshotPtr> record;
     const std::size_t first = recent.size() < kFaultCycles ? 0 : nextRecent;
     for (std::size_t k = 0; k < recent.size(); ++k)
         record.push_back(recent[(first + k) % recent.size()]);
@@ -148,15 +158,15 @@ void LogWriter::Impl::remember(const Snapshot& snapshot) {
 }
 
 void LogWriter::Impl::writeFaults() {
-    std::vector<std::vector<Snapshot>> records;
+    std::vector<std::vector<SnapshotPtr>> records;
     {
         const std::lock_guard lock(mutex);
         records.swap(faults);
     }
-    for (const std::vector<Snapshot>& record : records) {
+    for (const std::vector<SnapshotPtr>& record : records) {
         std::string rows = logHeader();
-        for (const Snapshot& snapshot : record)
-            appendLogRow(snapshot, rows);
+        for (const SnapshotPtr& snapshot : record)
+            appendLogRow(*snapshot, rows);
         std::filesystem::path file;
         std::error_code ignored;
         do
@@ -179,10 +189,13 @@ void LogWriter::Impl::format() {
         std::swap(queue, batch);
         untold = std::exchange(lostUntold, 0);
     }
-    if (untold > 0 && !batch.empty())
-        batch.back().events.push_back({EventCode::LogFailed, LogFailure{untold, {}}});
-    for (const Snapshot& snapshot : batch)
-        appendLogRow(snapshot, text);
+    if (untold > 0 && !batch.empty()) {
+        auto last = std::make_shared<Snapshot>(*batch.back()); // others may read this one
+        last->events.push_back({EventCode::LogFailed, LogFailure{untold, {}}});
+        batch.back() = std::move(last);
+    }
+    for (const SnapshotPtr& snapshot : batch)
+        appendLogRow(*snapshot, text);
     batch.clear();
 }
 
@@ -206,9 +219,9 @@ LogWriter::LogWriter(const std::filesystem::path& csvFile, const LogMetadata& me
 
 LogWriter::~LogWriter() = default;
 
-void LogWriter::append(const Snapshot& snapshot) {
+void LogWriter::append(const SnapshotPtr& snapshot) {
     m_impl->remember(snapshot);
-    if (!m_impl->becomesRow(snapshot))
+    if (!m_impl->becomesRow(*snapshot))
         return;
     bool hurry = false;
     {
@@ -224,6 +237,10 @@ void LogWriter::append(const Snapshot& snapshot) {
     }
     if (hurry)
         m_impl->wake.notify_one();
+}
+
+void LogWriter::finish() {
+    m_impl->finish();
 }
 
 std::uint64_t LogWriter::rowCount() const {

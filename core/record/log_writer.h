@@ -23,14 +23,18 @@ namespace hexapose {
 class LogWriter {
 public:
     LogWriter(const std::filesystem::path& csvFile, const LogMetadata& metadata);
-    ~LogWriter(); ///< writes and flushes what is left
+    ~LogWriter(); ///< as finish()
     LogWriter(const LogWriter&) = delete;
     LogWriter& operator=(const LogWriter&) = delete;
 
-    /// Cheap, allocates nothing in an ordinary cycle; called by one thread. Decides by itself which cycles
+    /// Cheap, copies nothing; called by one thread. Decides by itself which cycles
     /// become rows: every fresh measurement, every event, every change of state, and one row in 100 ms
     /// otherwise.
-    void append(const Snapshot& snapshot);
+    void append(const std::shared_ptr<const Snapshot>& snapshot);
+    /// The same of a copy.
+    void append(const Snapshot& snapshot) { append(std::make_shared<const Snapshot>(snapshot)); }
+    /// Writes and flushes what is left; failure() then knows of all of it. Nothing is appended afterwards.
+    void finish();
     std::uint64_t rowCount() const;  ///< rows taken, not counting lost ones
     std::uint64_t lostCount() const; ///< rows that found the queue full
     /// Why the log is not complete, or not being written at present; empty while all is well.

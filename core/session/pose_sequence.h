@@ -11,6 +11,10 @@
 
 namespace hexapose {
 
+/// How long a visited pose is held when a sample of it is to be taken: longer than the second that a sample
+/// averages, by some feedback periods.
+inline constexpr std::chrono::milliseconds kSampleDwell{1200};
+
 /// Visits a list of attitudes: the next Run is due when the one before has settled and stood for `dwell`. It
 /// ends early when its own Run is refused or does not come about, when the machine stops, and when another
 /// motion has begun; a command of somebody else that is refused changes nothing. Fed with snapshots; pure, so

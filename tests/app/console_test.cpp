@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <functional>
@@ -222,13 +223,19 @@ TEST(Console, BadOptionsAreRefused) {
                       {"--virtual --headless --virtual", {"--virtual", "twice"}},
                       {"--headless --baud 9600 --baud=9600", {"--baud", "twice"}},
                       {"--headless --port /dev/ttyNOWHERE", {"/dev/ttyNOWHERE"}},
-                      {"--port @plain --headless", {"@plain"}},
+                      {"--port @plain --headless", {"@plain", "not a serial port"}},
+                      {"--port @plain", {"@plain", "not a serial port"}},
+                      {"--port --headless", {"--port", "needs a value"}},
+                      {"--port= --headless", {"--port", "needs a value"}},
                       {"--headless --port /dev/null", {"/dev/null", "not a serial port"}},
                       {"--virtual --baud 0", {"--baud", "0"}},
                       {"--virtual --baud fast", {"--baud", "fast"}},
                       {"--virtual --baud -1", {"--baud"}},
-                      {"--virtual --envelope-mm 0", {"--envelope-mm 0", "above zero"}},
-                      {"--virtual --envelope-deg wide", {"--envelope-deg wide", "number"}},
+                      {"--virtual --envelope-mm 0", {"--envelope-mm", "'0'", "number above 0"}},
+                      {"--virtual --envelope-deg wide", {"--envelope-deg", "wide", "number"}},
+                      {"--virtual --envelope-mm 1,5", {"--envelope-mm", "1,5", "number"}},
+                      {"--virtual --envelope-mm 5mm", {"--envelope-mm", "5mm", "number"}},
+                      {"--virtual --baud 9600x", {"--baud", "9600x", "whole number"}},
                       {"--language xx", {"--language", "xx"}},
                       {"--platform nowhere", {"nowhere"}},
                       {"--platform @missing.toml", {"@missing.toml"}},
@@ -239,6 +246,59 @@ TEST(Console, BadOptionsAreRefused) {
                       {"--headless --virtual --log-dir @plain/logs", {"--log-dir", "@plain/logs"}},
                       {"--virtual --output @out", {"--output", "--headless"}},
                   });
+}
+
+TEST(Console, HelpNamesTheProgramAndItsOptions) {
+    Process process({HEXAPOSE_CONSOLE, "--help"});
+    const Outcome outcome = process.wait();
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_THAT(outcome.out, StartsWith("Usage: hexapose [options]\n"));
+    for (const char* option : {"--virtual", "--port <PATH>", "--headless", "--platform <NAME|FILE>"})
+        EXPECT_THAT(outcome.out, testing::HasSubstr(option));
+}
+
+TEST(Console, HeadlessEndsWhenNobodyAnswers) {
+    const Scratch scratch;
+    ForeignController::Traits silent;
+    silent.hellosNeeded = 1000000;
+    ForeignController controller(scratch.path("port"), silent, {});
+    const Outcome outcome = headless(scratch, {"--method", "newton", "--port", scratch.path("port")});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_EQ(outcome.err, "hexapose: no controller answered within 10 s\n");
+}
+
+/// Base and platform are similar hexagons: there is no pose to move to, and no solution to wait for.
+TEST(Console, HeadlessRefusesAPlatformThatIsSingularEverywhere) {
+    Machine machine = octahedral();
+    machine.platform = machine.base;
+    for (auto& joint : machine.platform)
+        for (double& coordinate : joint)
+            coordinate *= 0.5;
+    const Six home = machine.lengths({});
+    machine.minMm = 0.8 * *std::min_element(home.begin(), home.end());
+    machine.maxMm = 1.2 * *std::max_element(home.begin(), home.end());
+    const Scratch scratch;
+    const Outcome outcome =
+        headless(scratch, {"--virtual", "--platform", scratch.file("singular.toml", machine.toml())});
+    EXPECT_EQ(outcome.status, 2);
+    EXPECT_EQ(notOneLineWith(outcome.err, {"singular"}), "");
+    EXPECT_FALSE(std::filesystem::exists(scratch.path("logs"))) << "nothing was begun";
+}
+
+TEST(Console, WithAWindowWaitsForAPortThatIsNotThereYet) {
+    const Scratch scratch;
+    Process console({HEXAPOSE_CONSOLE, "--method", "newton", "--log-dir", scratch.path("logs"), "--port",
+                     scratch.path("port")});
+    ASSERT_TRUE(eventually([&] {
+        for (const auto& [name, text] : scratch.contents())
+            if (text.find("link-lost") != std::string::npos)
+                return true;
+        return false;
+    })) << "the log says that there is no port";
+    ForeignController controller(scratch.path("port"), {}, {});
+    EXPECT_TRUE(controller.waitFor([&] { return !controller.payloads("HELLO").empty(); }));
+    console.signal(SIGTERM);
+    EXPECT_EQ(console.wait().status, 0);
 }
 
 } // namespace

@@ -16,6 +16,7 @@
 #include <array>
 #include <csignal>
 #include <stdexcept>
+#include <thread>
 
 namespace hexapose::apptest {
 
@@ -172,6 +173,17 @@ Outcome Process::wait(std::chrono::seconds patience) {
         reap();
     }
     return m_outcome;
+}
+
+bool eventually(const std::function<bool()>& condition) {
+    constexpr std::chrono::milliseconds kLookEvery{20};
+    const auto deadline = std::chrono::steady_clock::now() + kPatience;
+    while (!condition()) {
+        if (std::chrono::steady_clock::now() > deadline)
+            return false;
+        std::this_thread::sleep_for(kLookEvery);
+    }
+    return true;
 }
 
 std::vector<std::string> cliWords(std::vector<std::string> words) {

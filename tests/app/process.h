@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -35,6 +36,7 @@ public:
     /// The next line of standard output; a test failure and "" when none comes.
     std::string readLine();
     void signal(int number);
+    pid_t pid() const { return m_pid; }
     /// Until it ends; a test failure when it does not.
     Outcome wait(std::chrono::seconds patience = kPatience);
 
@@ -51,6 +53,9 @@ private:
     std::size_t m_lineStart = 0;
     Outcome m_outcome;
 };
+
+/// Looks again and again; false when it does not come true within the patience of the tests.
+bool eventually(const std::function<bool()>& condition);
 
 /// hexapose-cli, from start to end.
 Outcome cli(std::vector<std::string> words, const std::string& input = {},

@@ -28,7 +28,7 @@ const Folders wholeCore =
 /// A page of the console offers the list of ports; what is behind a port it does not know.
 const Folders page =
     join(join(values, control), {"core/device/platform_device.h", "core/device/serial/serial_ports.h",
-                                 "ui/common", "ui/plot", "ui/charts", "ui/report", "ui/session"});
+                                 "ui/common", "ui/plot", "ui/charts", "ui/report"});
 const Folders console{"ui/console/window", "ui/console/motion", "ui/console/status", "ui/console/events",
                       "ui/console/report"};
 
@@ -63,7 +63,6 @@ const std::vector<Layer>& layers() {
         {"ui/plot", {"core/base"}, withQt},
         {"ui/charts", join(values, {"ui/common", "ui/plot"}), withQt},
         {"ui/report", join(values, {"ui/common", "ui/plot"}), withQt},
-        {"ui/session", join(join(values, control), {"core/device/platform_device.h", "ui/common"}), withQt},
         {"ui/console/events", page, withQt},
         {"ui/console/status", join(page, {"ui/console/events"}), withQt},
         {"ui/console/motion", join(page, {"ui/console/events"}), withQt},
@@ -73,8 +72,7 @@ const std::vector<Layer>& layers() {
         {"app/common", wholeCore, withQt},
         {"app/cli", join(wholeCore, {"app/common", "ui/report", "ui/plot"}), withQt},
         {"app/console",
-         join(join(wholeCore, console),
-              {"app/common", "ui/common", "ui/plot", "ui/charts", "ui/report", "ui/session"}),
+         join(join(wholeCore, console), {"app/common", "ui/common", "ui/plot", "ui/charts", "ui/report"}),
          withQt},
     };
     return table;

@@ -12,7 +12,6 @@
 #include "core/report/error_report.h"
 #include "ui/console/report/report_writer.h"
 #include "ui/console/window/operator_window.h"
-#include "ui/session/session.h"
 
 #include <QApplication>
 #include <QTemporaryDir>
@@ -109,12 +108,11 @@ int measure(QApplication& application) {
     setup.programVersion = "bench";
     setup.logDirectory = folder.path().toStdString();
     OperatorWindow window(geometry, [] { return QStringList(); });
-    window.setSession(std::make_unique<Session>(setup, [](const ConnectionChoice& choice) {
-        return makeSerialDevice(choice.port.toStdString(), choice.baud);
-    }));
+    window.setSession(std::make_unique<Session>(
+        setup, [&](const ConnectionSpec& connection) { return makeDevice(connection, geometry); }));
     window.resize(1280, 800);
     window.show();
-    window.connectTo({false, QString::fromStdString(controller.path()), 115200});
+    window.connectTo(SerialConnection{controller.path()});
 
     ReportWriter reports;
     const ErrorReport report = sampleReport(geometry, *solver);

@@ -104,7 +104,7 @@ private:
 
 int takePicture(QApplication& application, const Look& look, const QDir& folder, const QString& scratch) {
     ConsoleOptions options;
-    options.connection = ConnectionChoice{};
+    options.connection = VirtualConnection{};
     options.language = QString::fromLatin1(look.language);
     options.theme = look.theme;
     options.method = "mpr3-nr";

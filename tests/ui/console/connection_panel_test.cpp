@@ -36,18 +36,17 @@ protected:
 TEST_F(ConnectionPanelTest, OffersTheVirtualPlatformAndThePortsOfTheMoment) {
     auto* box = find<QComboBox>("Connection");
     ASSERT_NE(box, nullptr);
-    EXPECT_TRUE(panel.choice()->virtualPlatform);
+    EXPECT_EQ(panel.choice(), ConnectionSpec(VirtualConnection{}));
     ports << QStringLiteral("/dev/ttyUSB0");
     box->showPopup();
     box->hidePopup();
     EXPECT_EQ(box->count(), 3);
     box->setCurrentIndex(2);
-    EXPECT_EQ(panel.choice()->port, "/dev/ttyUSB0");
+    EXPECT_EQ(panel.choice(), ConnectionSpec(SerialConnection{"/dev/ttyUSB0", 115200}));
     box->setEditText(QStringLiteral("  /dev/pts/7 "));
-    EXPECT_EQ(panel.choice()->port, "/dev/pts/7");
-    EXPECT_EQ(panel.choice()->baud, 115200);
+    EXPECT_EQ(panel.choice(), ConnectionSpec(SerialConnection{"/dev/pts/7", 115200}));
     find<QComboBox>("Baud rate")->setEditText(QStringLiteral("57600"));
-    EXPECT_EQ(panel.choice()->baud, 57600);
+    EXPECT_EQ(panel.choice(), ConnectionSpec(SerialConnection{"/dev/pts/7", 57600}));
     for (const char* bad : {"0", "", "-3", "fast"}) {
         find<QComboBox>("Baud rate")->setEditText(QString::fromLatin1(bad));
         EXPECT_FALSE(panel.choice()) << bad;
@@ -116,7 +115,7 @@ TEST_F(ConnectionPanelTest, VirtualPlatformStaysChosenInAnotherLanguage) {
     LanguageSwitch language;
     ASSERT_TRUE(language.choose(QStringLiteral("zh_CN")));
     QCoreApplication::sendPostedEvents();
-    EXPECT_TRUE(panel.choice()->virtualPlatform);
+    EXPECT_EQ(panel.choice(), ConnectionSpec(VirtualConnection{}));
     EXPECT_EQ(find<QComboBox>("Connection"), nullptr);
 }
 

@@ -46,7 +46,7 @@ protected:
         setup.solver = newtonSolver(geometry);
         setup.logDirectory = folder.path().toStdString();
         window.setSession(std::make_unique<Session>(
-            setup, [this](const ConnectionChoice&) { return std::make_unique<InstantDevice>(geometry); }));
+            setup, [this](const ConnectionSpec&) { return std::make_unique<InstantDevice>(geometry); }));
         window.show();
     }
     QPushButton* button(const char* name) {
@@ -97,7 +97,7 @@ TEST_F(OperatorWindowTest, OperatorsMainJob) {
     EXPECT_NEAR(spoken("Measured x").toDouble(), 2.0, kMm);
     EXPECT_NEAR(spoken("Measured gamma").toDouble(), 1.5, kMm);
     EXPECT_EQ(spoken("State"), "Enabled");
-    EXPECT_FALSE(window.session()->logFile().isEmpty());
+    EXPECT_FALSE(window.session()->logFile().empty());
 
     // Closing while enabled asks, and nothing modal is in the way of Stop.
     window.close();
@@ -217,7 +217,8 @@ TEST_F(OperatorWindowTest, EscStopsAtTheFirstPressWhileAPopupIsOpen) {
 }
 
 TEST_F(OperatorWindowTest, SilentLoopIsShownAsOldData) {
-    window.showSnapshots({snapshotAt(geometry, poseOf(1, 0, 0, 0, 0, 0), Pose{}, RunState::Enabled, 1.0)});
+    window.showSnapshots({std::make_shared<Snapshot>(
+        snapshotAt(geometry, poseOf(1, 0, 0, 0, 0, 0), Pose{}, RunState::Enabled, 1.0))});
     EXPECT_FALSE(window.latest().stale);
     ASSERT_TRUE(waitFor([this] {
         window.showSnapshots({});

@@ -5,6 +5,7 @@
 #include "tests/ui/screen_reader.h"
 #include "ui/console/report/report_panel.h"
 
+#include <QDir>
 #include <QFileInfo>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -173,6 +174,20 @@ TEST_F(ReportPanelTest, FolderThatCannotBeWrittenIsTold) {
     };
     EXPECT_TRUE(QTest::qWaitFor(told, kReportPatienceMs));
     EXPECT_EQ(exported.count(), 0);
+}
+
+TEST_F(ReportPanelTest, ARelativeFolderIsToldAsAWholePath) {
+    const QString before = QDir::currentPath();
+    ASSERT_TRUE(QDir::setCurrent(folder.path()));
+    QSignalSpy exported(&panel, &ReportPanel::exported);
+    move(poseOf(5, 0, 0, 0, 0, 0));
+    panel.setFolder(QStringLiteral("relative"));
+    panel.exportReport();
+    EXPECT_TRUE(comes(exported));
+    const QString file = QDir::current().absoluteFilePath(QStringLiteral("relative/report.pdf"));
+    EXPECT_TRUE(spokenText(panel, QStringLiteral("Report files")).contains(file));
+    EXPECT_TRUE(QFileInfo::exists(file));
+    QDir::setCurrent(before);
 }
 
 } // namespace

@@ -33,7 +33,7 @@ protected:
         setup.solver = newtonSolver(geometry);
         setup.logDirectory = folder.path().toStdString();
         return std::make_unique<Session>(
-            setup, [this](const ConnectionChoice&) { return std::make_unique<InstantDevice>(geometry); });
+            setup, [this](const ConnectionSpec&) { return std::make_unique<InstantDevice>(geometry); });
     }
     bool waitFor(const std::function<bool()>& condition) {
         return QTest::qWaitFor(condition, kLongestWaitMs);
@@ -54,12 +54,13 @@ bool changes(const Snapshot& snapshot) {
 TEST_F(SolverChangeTest, WaitsForTheEndOfAMoveAndLosesNoCycle) {
     const std::unique_ptr<Session> session = makeSession();
     const std::shared_ptr<const ForwardSolver> newton = session->solver();
-    session->open({});
+    session->open(VirtualConnection{});
+    SnapshotReader reader = session->reader();
     std::vector<Snapshot> all;
     const auto waitUntil = [&](const std::function<bool(const Snapshot&)>& condition) {
         return waitFor([&] {
-            for (Snapshot& snapshot : session->takeSnapshots()) {
-                all.push_back(std::move(snapshot));
+            for (const SnapshotPtr& snapshot : reader.take()) {
+                all.push_back(*snapshot);
             }
             return !all.empty() && condition(all.back());
         });
@@ -104,7 +105,7 @@ TEST_F(SolverChangeTest, TheWindowFollows) {
     window.setSolver(fsi, {}); // closed: at once
     EXPECT_EQ(box()->currentText(), "FSI");
     EXPECT_EQ(inUse(), "FSI");
-    window.connectTo({});
+    window.connectTo(VirtualConnection{});
     ASSERT_TRUE(waitFor([&] { return spokenText(window, QStringLiteral("Measured x")) == "0.000"; }));
     window.setSolver(newtonSolver(geometry), {});
     EXPECT_EQ(box()->currentText(), "Newton");

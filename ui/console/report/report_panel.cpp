@@ -12,6 +12,7 @@
 #include "ui/console/report/sample_table.h"
 
 #include <QComboBox>
+#include <QDir>
 #include <QEvent>
 #include <QFileDialog>
 #include <QHBoxLayout>
@@ -27,8 +28,6 @@ namespace {
 // The list of Figure 8: 10 attitudes within +-10 mm and +-10 degrees.
 constexpr int kAttitudes = 10;
 constexpr std::uint64_t kSeed = 1;
-// A little longer than the second that a sample is averaged over.
-constexpr std::chrono::milliseconds kDwell{1200};
 
 } // namespace
 
@@ -144,7 +143,7 @@ void ReportPanel::runReport() {
 }
 
 void ReportPanel::runList(std::vector<Pose> attitudes) {
-    m_sequence.emplace(std::move(attitudes), kDwell);
+    m_sequence.emplace(std::move(attitudes), kSampleDwell);
     updateRun();
     showProgress();
 }
@@ -198,7 +197,8 @@ void ReportPanel::exportReport() {
 }
 
 void ReportPanel::write() {
-    m_writer->write(m_report, folder());
+    const QString where = folder(); // a relative one is where the program was started: say where that is
+    m_writer->write(m_report, where.isEmpty() ? where : QDir::current().absoluteFilePath(where));
 }
 
 void ReportPanel::showWritten(const QStringList& files, const QString& where) {

@@ -2,26 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/console/report/report_writer.h"
 
+#include "core/base/thread_priority.h"
 #include "ui/report/report_export.h"
 
 #include <QThread>
 
 #include <exception>
-#include <sys/resource.h>
-#include <unistd.h>
 #include <utility>
 
 namespace hexapose {
-
-namespace {
-
-/// Drawing can wait; the loop and the screen cannot.
-void giveWay() {
-    constexpr int kNice = 10;
-    setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), kNice);
-}
-
-} // namespace
 
 ReportWriter::ReportWriter(QObject* parent) : QObject(parent) {}
 
@@ -43,7 +32,7 @@ void ReportWriter::write(const ErrorReport& report, const QString& folder) {
 void ReportWriter::start(Job job) {
     // The signals are emitted over there and carried over to the receivers' thread.
     m_thread.reset(QThread::create([this, job = std::make_shared<const Job>(std::move(job))] {
-        giveWay();
+        lowerThreadPriority(); // drawing can wait; the loop and the screen cannot
         try {
             QStringList files;
             for (const auto& file : exportErrorReport(job->report, job->folder.toStdString())) {

@@ -68,7 +68,7 @@ void ConnectionPanel::build() {
     for (const int rate : kBaudRates) {
         m_baud->addItem(QString::number(rate));
     }
-    m_baud->setCurrentText(QString::number(kUsualBaud));
+    m_baud->setCurrentText(QString::number(SerialConnection::kUsualBaud));
     m_solverLabel = makeCaption(this);
     m_solver = new QComboBox(this);
     for (const std::string_view word : kSolverChoices) {
@@ -132,20 +132,23 @@ bool ConnectionPanel::isVirtual() const {
     return m_port->currentText().trimmed() == m_port->itemText(0);
 }
 
-void ConnectionPanel::setChoice(const ConnectionChoice& choice) {
-    m_port->setEditText(choice.virtualPlatform ? m_port->itemText(0) : choice.port);
-    m_baud->setEditText(QString::number(choice.baud));
+void ConnectionPanel::setChoice(const ConnectionSpec& choice) {
+    const auto* serial = std::get_if<SerialConnection>(&choice);
+    m_port->setEditText(serial == nullptr ? m_port->itemText(0) : QString::fromStdString(serial->path));
+    if (serial != nullptr) {
+        m_baud->setEditText(QString::number(serial->baud));
+    }
 }
 
-std::optional<ConnectionChoice> ConnectionPanel::choice() const {
-    ConnectionChoice choice;
-    choice.virtualPlatform = isVirtual();
-    choice.port = choice.virtualPlatform ? QString() : m_port->currentText().trimmed();
+std::optional<ConnectionSpec> ConnectionPanel::choice() const {
     if (!connectReason().isEmpty()) {
         return std::nullopt;
     }
-    choice.baud = static_cast<int>(m_baudField->value().value_or(kUsualBaud)); // the virtual one has none
-    return choice;
+    if (isVirtual()) {
+        return VirtualConnection{};
+    }
+    return SerialConnection{m_port->currentText().trimmed().toStdString(),
+                            static_cast<int>(m_baudField->value().value_or(kUsualBaud))};
 }
 
 /// Why nothing can be connected with what is typed; empty when it can.

@@ -5,7 +5,7 @@
 #include "core/machine/command.h"
 #include "core/record/command_set.h"
 #include "core/record/snapshot.h"
-#include "ui/session/session.h"
+#include "core/session/connection.h"
 
 #include <QFrame>
 
@@ -29,9 +29,9 @@ class ConnectionPanel final : public QWidget {
     Q_OBJECT
 public:
     explicit ConnectionPanel(PortList ports, QWidget* parent = nullptr);
-    void setChoice(const ConnectionChoice& choice);
+    void setChoice(const ConnectionSpec& choice);
     /// Nothing when the baud rate is refused or no port is named.
-    std::optional<ConnectionChoice> choice() const;
+    std::optional<ConnectionSpec> choice() const;
     /// available: there is something to connect with (the model is ready).
     void setAvailable(bool available);
     void setOpen(bool open);
@@ -42,7 +42,7 @@ public:
     void showSnapshot(const Snapshot& snapshot);
 
 signals:
-    void connectRequested(const hexapose::ConnectionChoice& choice);
+    void connectRequested(const hexapose::ConnectionSpec& choice);
     void disconnectRequested();
     void commandRequested(const hexapose::OperatorCommand& command);
     void solverChosen(const QString& word);

@@ -60,9 +60,6 @@ OperatorWindow::OperatorWindow(const PlatformGeometry& geometry, PortList ports,
 }
 
 OperatorWindow::~OperatorWindow() {
-    if (m_session) {
-        m_session->disconnect(this); // the panels are going
-    }
     delete m_question; // while there still is a window that it can tell
 }
 
@@ -106,8 +103,7 @@ void OperatorWindow::setColors(const ThemeColors& colors) {
 
 void OperatorWindow::setSession(std::unique_ptr<Session> session) {
     m_session = std::move(session);
-    connect(m_session.get(), &Session::opened, this, &OperatorWindow::sessionOpened);
-    connect(m_session.get(), &Session::closed, this, &OperatorWindow::sessionClosed);
+    m_reader = m_session->reader();
     m_motion->setControl(m_session->setup().control);
     m_legs->settleLine().setControl(m_session->setup().control);
     m_connection->setSolver(m_session->setup().solver->name());
@@ -134,13 +130,15 @@ void OperatorWindow::followSolver() {
     m_status->setSolver(m_solver->name());
 }
 
-void OperatorWindow::connectTo(const ConnectionChoice& choice) {
+void OperatorWindow::connectTo(const ConnectionSpec& connection) {
     if (!m_session) {
         return;
     }
-    m_connection->setChoice(choice);
+    disconnectFrom();
+    m_connection->setChoice(connection);
     try {
-        m_session->open(choice);
+        m_session->open(connection);
+        sessionOpened();
     } catch (const InputError& error) {
         const QString reason = QString::fromUtf8(error.what());
         m_events->addNote(
@@ -153,15 +151,16 @@ void OperatorWindow::connectTo(const ConnectionChoice& choice) {
 }
 
 void OperatorWindow::disconnectFrom() {
-    if (m_session) {
+    if (m_session && m_session->isOpen()) {
         m_session->close();
+        sessionClosed();
     }
 }
 
 void OperatorWindow::sessionOpened() {
     m_charts->clear();
     m_report->clearSamples();
-    const QFileInfo log(m_session->logFile());
+    const QFileInfo log(QString::fromStdString(m_session->logFile().string()));
     m_report->setDefaultFolder(log.path() + QLatin1Char('/') + log.completeBaseName() +
                                QStringLiteral("-report"));
     m_connection->setOpen(true);
@@ -172,7 +171,7 @@ void OperatorWindow::sessionOpened() {
 }
 
 void OperatorWindow::sessionClosed() {
-    showSnapshots(m_session->takeSnapshots()); // the events of the closing
+    showSnapshots(m_reader.take()); // the events of the closing
     m_connection->setOpen(false);
     m_banner->showClosed();
     followSolver();
@@ -185,15 +184,15 @@ void OperatorWindow::tick() {
     if (!m_session || !m_session->isOpen()) {
         return;
     }
-    const std::vector<Snapshot> snapshots = m_session->takeSnapshots();
     const auto failure = m_session->logFailure();
     m_banner->showLogFailure(failure ? QString::fromStdString(*failure) : QString());
-    showSnapshots(snapshots);
+    showSnapshots(m_reader.take());
     followSolver();
 }
 
-void OperatorWindow::showSnapshots(const std::vector<Snapshot>& snapshots) {
-    for (const Snapshot& snapshot : snapshots) {
+void OperatorWindow::showSnapshots(const std::vector<SnapshotPtr>& snapshots) {
+    for (const SnapshotPtr& one : snapshots) {
+        const Snapshot& snapshot = *one;
         m_charts->add(snapshot);
         m_report->add(snapshot);
         m_motion->add(snapshot);
@@ -205,7 +204,7 @@ void OperatorWindow::showSnapshots(const std::vector<Snapshot>& snapshots) {
         m_banner->showSnapshot(snapshot, true);
     }
     if (!snapshots.empty()) {
-        m_latest = snapshots.back();
+        m_latest = *snapshots.back();
         m_sinceSnapshot.start();
     } else if (m_sinceSnapshot.isValid() && m_sinceSnapshot.elapsed() > kSilenceMs) {
         // The loop itself is silent: what it last said is old, however fresh it was then.

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/record/snapshot.h"
+#include "core/session/session.h"
 #include "ui/console/status/connection_panel.h"
-#include "ui/session/session.h"
 
 #include <QElapsedTimer>
 #include <QMainWindow>
@@ -43,11 +43,11 @@ public:
     Session* session() const { return m_session.get(); }
     /// Another solver for the session: at once while it is closed, else as soon as nothing moves.
     void setSolver(const std::shared_ptr<const ForwardSolver>& solver, const std::string& modelFingerprint);
-    void connectTo(const ConnectionChoice& choice);
+    void connectTo(const ConnectionSpec& connection);
     void disconnectFrom();
 
     /// One display tick's worth; the tick calls it, and so may a test.
-    void showSnapshots(const std::vector<Snapshot>& snapshots);
+    void showSnapshots(const std::vector<SnapshotPtr>& snapshots);
     const Snapshot& latest() const { return m_latest; }
 
     Banner& banner() { return *m_banner; }
@@ -84,6 +84,7 @@ private:
 
     PlatformGeometry m_geometry;
     std::unique_ptr<Session> m_session;
+    SnapshotReader m_reader;                       ///< of the session, for all that is on the screen
     std::shared_ptr<const ForwardSolver> m_solver; ///< that is shown: the one in use
     Snapshot m_latest;
     QElapsedTimer m_sinceSnapshot;
