@@ -178,3 +178,5 @@ void Console::doWithout(const QString& reason) {
 }
 
 } // namespace hexapose
+
+#include "moc_console.cpp"

@@ -39,3 +39,5 @@ void EndSignals::take() {
 }
 
 } // namespace hexapose
+
+#include "moc_end_signals.cpp"

@@ -104,3 +104,5 @@ void HeadlessJob::fail(const std::string& reason) {
 }
 
 } // namespace hexapose
+
+#include "moc_headless_job.cpp"

@@ -77,3 +77,5 @@ ReadySolver ModelJob::withoutModel() const {
 }
 
 } // namespace hexapose
+
+#include "moc_model_job.cpp"

@@ -140,7 +140,9 @@ INSTANTIATE_TEST_SUITE_P(
         Arrow{"ui/console/motion/a.cpp", "\"tests/support/a.h\"", false},
         Arrow{"core/geometry/a.cpp", "\"../kinematics/jacobian.h\"", false},
         Arrow{"core/geometry/a.cpp", "\"pose.h\"", false}, Arrow{"ui/charts/a.cpp", "\"a.moc\"", false},
-        Arrow{"core/novelty/a.cpp", "<vector>", false}, Arrow{"core/a.cpp", "<vector>", false}));
+        Arrow{"ui/charts/a.cpp", "\"moc_a.cpp\"", true}, Arrow{"ui/charts/a.cpp", "\"moc_b.cpp\"", false},
+        Arrow{"ui/charts/a.h", "\"moc_a.cpp\"", false}, Arrow{"core/novelty/a.cpp", "<vector>", false},
+        Arrow{"core/a.cpp", "<vector>", false}));
 
 TEST(SourceRules, EveryAllowedFolderHasARowItself) {
     for (const Layer& layer : layers()) {

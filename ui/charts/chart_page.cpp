@@ -297,3 +297,5 @@ void ChartPage::changeEvent(QEvent* event) {
 }
 
 } // namespace hexapose
+
+#include "moc_chart_page.cpp"

@@ -167,3 +167,5 @@ void TimeChart::resizeEvent(QResizeEvent* event) {
 }
 
 } // namespace hexapose
+
+#include "moc_time_chart.cpp"

@@ -46,3 +46,5 @@ QLabel* makeMutedLabel(QWidget* parent, Qt::Alignment alignment) {
 }
 
 } // namespace hexapose
+
+#include "moc_card.cpp"

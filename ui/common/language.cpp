@@ -62,3 +62,5 @@ bool LanguageSwitch::choose(const QString& code) {
 }
 
 } // namespace hexapose
+
+#include "moc_language.cpp"

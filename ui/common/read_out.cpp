@@ -102,3 +102,5 @@ void TextReadOut::changeEvent(QEvent* event) {
 }
 
 } // namespace hexapose
+
+#include "moc_read_out.cpp"

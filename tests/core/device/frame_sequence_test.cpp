@@ -55,5 +55,29 @@ TEST(FrameSequence, ARestartIsNoWrap) {
     }
 }
 
+TEST(FrameSequence, CountsWhatNeverCameAcrossTheEndOfTheNumbers) {
+    FrameSequence sequence;
+    EXPECT_EQ(sequence.classify(65534, 10ms), Result::Accept);
+    EXPECT_EQ(sequence.classify(65535, 20ms), Result::Accept);
+    EXPECT_EQ(sequence.missed(), 0U);
+    EXPECT_EQ(sequence.classify(2, 50ms), Result::Accept);
+    EXPECT_EQ(sequence.missed(), 2U);
+}
+
+TEST(FrameSequence, TakesACounterThatIsSetBackForNoLoss) {
+    FrameSequence sequence;
+    EXPECT_EQ(sequence.classify(500, 10ms), Result::Accept);
+    EXPECT_EQ(sequence.classify(0, 20ms), Result::Accept) << "the clock went on: it is a new measurement";
+    EXPECT_EQ(sequence.missed(), 0U);
+}
+
+TEST(FrameSequence, DropsWhatIsRepeatedByNumberOrByTime) {
+    FrameSequence sequence;
+    EXPECT_EQ(sequence.classify(7, 10ms), Result::Accept);
+    EXPECT_EQ(sequence.classify(7, 20ms), Result::Discard);
+    EXPECT_EQ(sequence.classify(8, 10ms), Result::Discard);
+    EXPECT_EQ(sequence.classify(8, 20ms), Result::Accept);
+}
+
 } // namespace
 } // namespace hexapose::line

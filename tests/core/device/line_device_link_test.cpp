@@ -91,6 +91,20 @@ TEST(LineDeviceLink, SurvivesARestartOfTheControllerButNoStrayOldFrames) {
     EXPECT_EQ(exchange(host.device, {}).link, LinkState::Connected);
 }
 
+TEST(LineDeviceLink, ARestartedControllerOwesNoAnswerToWhatWasAskedBefore) {
+    Host host;
+    host.connect();
+    host.script.len(500, 5000000, 'D');
+    exchange(host.device, {});
+    exchange(host.device, {{}, DeviceRequest::Enable});
+    for (int i = 0; i < 5; ++i) {
+        host.script.len(i, 1000 + i, 'U');
+        exchange(host.device, {});
+    }
+    host.script.say("IDENT,1,arm,6,10,250,350");
+    EXPECT_EQ(count<notice::NoAnswer>(host.pass(5s).notices), 0);
+}
+
 TEST(LineDeviceLink, BrokenFramesAreCountedAndGiveNothing) {
     Host host;
     host.connect();

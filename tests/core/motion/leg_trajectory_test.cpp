@@ -30,6 +30,12 @@ TEST(LegTrajectory, StartsAndEndsExactlyAndStaysThere) {
     EXPECT_EQ((path.at(path.duration() + 10s) - ramp()).norm(), kExact);
 }
 
+TEST(LegTrajectory, ATinyMoveTakesItsTimeToo) {
+    const LegLengths from = LegLengths::Constant(0.3);
+    const LegTrajectory path(from, from + LegLengths::Constant(1e-6), 0.04);
+    EXPECT_GE(path.duration(), 200ms);
+}
+
 TEST(LegTrajectory, TheFastestLegReachesTheAllowedSpeedAndNoLegExceedsIt) {
     const double speed = 0.04;
     const LegTrajectory path(LegLengths::Constant(0.3), ramp(), speed);

@@ -127,6 +127,15 @@ TEST_F(MoveCheck, NamesEnvelopeSpeedAndAcceleration) {
     EXPECT_TRUE(checkMove(Pose{}, to).ok());
 }
 
+TEST_F(MoveCheck, RefusesAMotionThatComesTooNearToTheOtherSide) {
+    const Pose to = poseMm(0, 0, 10, 0, 0, 20);
+    ASSERT_TRUE(checkMove(Pose{}, to).ok());
+    m_limits.leastDeterminantRatio = 0.999; // of home's: the turn leaves it
+    const MotionCheck check = checkMove(Pose{}, to);
+    EXPECT_EQ(check.reason, MotionCheck::Reason::WrongSideOfSingularity);
+    EXPECT_LT(check.value, 0.999);
+}
+
 TEST_F(MoveCheck, JudgesSweepsToo) {
     EXPECT_TRUE(checkMotion(m_machine, m_limits, SineSweep(Pose{}, {2, 0.005, 0.1, 0.5, 10.0})).ok());
     EXPECT_EQ(checkMotion(m_machine, m_limits, SineSweep(Pose{}, {2, 0.005, 0.1, 5.0, 10.0})).reason,

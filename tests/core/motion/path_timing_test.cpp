@@ -93,5 +93,22 @@ TEST(PathTiming, FollowsARateLimitAlongTheWay) {
     EXPECT_LT(timing.duration(), 0.5 * slow.duration()) << "a limit for all of the way takes twice as long";
 }
 
+/// The end of a fast stretch: the rate has come down before it, by braking that keeps below the limit all
+/// along.
+TEST(PathTiming, BrakesInTimeForARateLimitThatFallsSteeply) {
+    // Between two samples of the limit, of which there are 256, so that it is known exactly.
+    const auto falling = [](double s) {
+        return std::clamp(0.6 - 0.55 * (s - 0.5) * 256.0 / 12.0, 0.05, 0.6);
+    };
+    const PathTiming timing({0.67, 2.7, 27.0}, falling);
+    double fastest = 0.0;
+    for (int i = 0; i <= kSamples; ++i) {
+        const PathTiming::State state = timing.at(timing.duration() * i / kSamples);
+        EXPECT_LE(state.rate, falling(state.s) * (1.0 + kLimitSlack)) << state.s;
+        fastest = std::max(fastest, state.rate);
+    }
+    EXPECT_GT(fastest, 0.59);
+}
+
 } // namespace
 } // namespace hexapose

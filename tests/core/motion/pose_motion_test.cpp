@@ -72,6 +72,14 @@ TEST(Displacement, LeadsFromOnePoseToTheOtherTheShorterWay) {
     EXPECT_NEAR(tiny[5], 1e-12, 1e-18) << "no rounding away of a small turn";
 }
 
+TEST(MotionBounds, WithoutNumbersTurnAsFastAsTheJointsMayMove) {
+    const PlatformGeometry machine = laboratory();
+    const MotionBounds bounds = withDefaults(MotionBounds{}, machine);
+    EXPECT_GT(bounds.legSpeed, 0.0);
+    EXPECT_DOUBLE_EQ(bounds.speed, bounds.legSpeed);
+    EXPECT_DOUBLE_EQ(bounds.angularSpeed * machine.jointRadius(), bounds.legSpeed);
+}
+
 TEST(StraightMotion, IsStraightTurnsAboutOneAxisAndKeepsItsLimits) {
     const PlatformGeometry machine = laboratory();
     const MotionBounds bounds = withDefaults(MotionBounds{}, machine);
@@ -96,6 +104,26 @@ TEST(StraightMotion, IsStraightTurnsAboutOneAxisAndKeepsItsLimits) {
     }
     EXPECT_LE(top, bounds.legSpeed * (1.0 + kBoundSlack));
     EXPECT_GT(top, 0.97 * bounds.legSpeed) << "one leg is at its limit: the way takes no longer than it must";
+}
+
+TEST(StraightMotion, SlowsDownWhereOnlyTheLegsAccelerationsAsk) {
+    const PlatformGeometry machine = laboratory();
+    MotionBounds bounds = withDefaults(MotionBounds{}, machine);
+    bounds.legAcceleration *= 0.05; // far below what P's own acceleration makes of it
+    const Pose from = poseMm(-10, 5, -12, 4, -3, 2), to = poseMm(20, -14, 25, -6, 8, 15);
+    const StraightMotion motion(machine, from, to, bounds);
+    expectConsistent(motion);
+    double largest = 0.0;
+    LegLengths before = LegLengths::Zero();
+    const double h = motion.duration() / kLooks;
+    for (int i = 0; i <= kLooks; ++i) {
+        const PoseReference at = motion.at(i * h);
+        const LegLengths rates = geometricJacobian(machine, at.pose) * at.twist;
+        largest = std::max(largest, (rates - before).cwiseAbs().maxCoeff() / h);
+        before = rates;
+    }
+    EXPECT_LE(largest, bounds.legAcceleration * (1.0 + kBoundSlack));
+    EXPECT_GT(largest, 0.9 * bounds.legAcceleration) << "no slower than that";
 }
 
 TEST(StraightMotion, IsTheFastestUnderItsLimits) {

@@ -13,9 +13,12 @@
 #include <sys/resource.h>
 #include <sys/wait.h>
 
+#include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <csignal>
 #include <ctime>
+#include <mutex>
 #include <thread>
 
 namespace hexapose {
@@ -88,6 +91,37 @@ TEST_F(LogWriterTest, RowsReachTheFileWithoutAnotherAppend) {
     for (int i = 0; i < 3; ++i)
         writer.append(fullSnapshot(i));
     EXPECT_TRUE(comesTrue([&] { return lineCount(file) == 4; })) << "the flush must not wait for more rows";
+}
+
+/// Counts how often the promised time passes, by waits of a thread of its own: under a load it is late as the
+/// writer is, so that the two can be compared where a clock says nothing.
+class PromisedTime {
+public:
+    int passed() const { return m_passed; }
+
+private:
+    void run(const std::stop_token& stop) {
+        std::mutex mutex;
+        std::condition_variable_any wake;
+        std::unique_lock lock(mutex);
+        for (; !stop.stop_requested(); ++m_passed)
+            wake.wait_for(lock, stop, std::chrono::milliseconds(100), [] { return false; });
+    }
+
+    std::atomic<int> m_passed{0};
+    std::jthread m_thread{[this](const std::stop_token& stop) { run(stop); }};
+};
+
+TEST_F(LogWriterTest, EveryRowReachesTheFileInThePromisedTime) {
+    constexpr int kRows = 6;
+    constexpr int kSlack = 4; // times the promise, on the average
+    LogWriter writer(file, metadata);
+    const PromisedTime time;
+    for (int i = 0; i < kRows; ++i) {
+        writer.append(fullSnapshot(i));
+        ASSERT_TRUE(comesTrue([&] { return lineCount(file) == static_cast<std::size_t>(i) + 2; }));
+    }
+    EXPECT_LE(time.passed(), kSlack * kRows);
 }
 
 TEST_F(LogWriterTest, AKilledProgramLeavesWholeRows) {

@@ -85,3 +85,5 @@ QSize EventDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIn
 }
 
 } // namespace hexapose
+
+#include "moc_event_delegate.cpp"

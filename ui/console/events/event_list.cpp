@@ -101,3 +101,5 @@ void EventList::changeEvent(QEvent* event) {
 }
 
 } // namespace hexapose
+
+#include "moc_event_list.cpp"

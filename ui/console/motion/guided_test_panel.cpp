@@ -136,3 +136,5 @@ void GuidedTestPanel::changeEvent(QEvent* event) {
 }
 
 } // namespace hexapose
+
+#include "moc_guided_test_panel.cpp"

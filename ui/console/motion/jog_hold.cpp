@@ -48,3 +48,5 @@ void JogHold::tick() {
 }
 
 } // namespace hexapose
+
+#include "moc_jog_hold.cpp"

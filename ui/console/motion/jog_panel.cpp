@@ -276,3 +276,5 @@ void JogPanel::updateButtons() {
 }
 
 } // namespace hexapose
+
+#include "moc_jog_panel.cpp"

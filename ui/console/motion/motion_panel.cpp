@@ -175,3 +175,5 @@ void MotionPanel::changeEvent(QEvent* event) {
 }
 
 } // namespace hexapose
+
+#include "moc_motion_panel.cpp"

@@ -132,3 +132,5 @@ void NamedPoses::changeEvent(QEvent* event) {
 }
 
 } // namespace hexapose
+
+#include "moc_named_poses.cpp"

@@ -94,3 +94,5 @@ void SpeedControl::changeEvent(QEvent* event) {
 }
 
 } // namespace hexapose
+
+#include "moc_speed_control.cpp"

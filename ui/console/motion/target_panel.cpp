@@ -332,3 +332,5 @@ void TargetPanel::changeEvent(QEvent* event) {
 }
 
 } // namespace hexapose
+
+#include "moc_target_panel.cpp"

@@ -258,3 +258,5 @@ void WayPointTable::changeEvent(QEvent* event) {
 }
 
 } // namespace hexapose
+
+#include "moc_way_point_table.cpp"

@@ -257,3 +257,5 @@ void WayPointsPanel::changeEvent(QEvent* event) {
 }
 
 } // namespace hexapose
+
+#include "moc_way_points_panel.cpp"

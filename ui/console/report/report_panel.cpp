@@ -257,3 +257,5 @@ void ReportPanel::changeEvent(QEvent* event) {
 }
 
 } // namespace hexapose
+
+#include "moc_report_panel.cpp"

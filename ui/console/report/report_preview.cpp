@@ -38,3 +38,5 @@ void ReportPreview::paintEvent(QPaintEvent* /*event*/) {
 }
 
 } // namespace hexapose
+
+#include "moc_report_preview.cpp"

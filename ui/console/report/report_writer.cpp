@@ -57,3 +57,5 @@ void ReportWriter::finish() {
 }
 
 } // namespace hexapose
+
+#include "moc_report_writer.cpp"

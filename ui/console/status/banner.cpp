@@ -117,3 +117,5 @@ void Banner::changeEvent(QEvent* event) {
 }
 
 } // namespace hexapose
+
+#include "moc_banner.cpp"

@@ -284,3 +284,5 @@ void ConnectionPanel::changeEvent(QEvent* event) {
 }
 
 } // namespace hexapose
+
+#include "moc_connection_panel.cpp"

@@ -56,3 +56,5 @@ void LegBar::paintEvent(QPaintEvent* /*event*/) {
 }
 
 } // namespace hexapose
+
+#include "moc_leg_bar.cpp"

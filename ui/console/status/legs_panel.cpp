@@ -94,3 +94,5 @@ void LegsPanel::changeEvent(QEvent* event) {
 }
 
 } // namespace hexapose
+
+#include "moc_legs_panel.cpp"

@@ -137,3 +137,5 @@ void PosePanel::changeEvent(QEvent* event) {
 }
 
 } // namespace hexapose
+
+#include "moc_pose_panel.cpp"

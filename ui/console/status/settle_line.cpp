@@ -88,3 +88,5 @@ void SettleLine::changeEvent(QEvent* event) {
 }
 
 } // namespace hexapose
+
+#include "moc_settle_line.cpp"

@@ -79,3 +79,5 @@ void SingularityBar::paintEvent(QPaintEvent* /*event*/) {
 }
 
 } // namespace hexapose
+
+#include "moc_singularity_bar.cpp"

@@ -117,3 +117,5 @@ void StatusPanel::changeEvent(QEvent* event) {
 }
 
 } // namespace hexapose
+
+#include "moc_status_panel.cpp"

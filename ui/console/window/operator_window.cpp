@@ -280,3 +280,5 @@ void OperatorWindow::askBeforeClosing() {
 }
 
 } // namespace hexapose
+
+#include "moc_operator_window.cpp"

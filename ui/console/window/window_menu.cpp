@@ -81,3 +81,5 @@ void WindowMenu::retranslate() {
 }
 
 } // namespace hexapose
+
+#include "moc_window_menu.cpp"
