@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace hexapose::testing {
@@ -28,10 +29,13 @@ inline Pose target() {
 /// The control loop of the laboratory platform on a scripted controller.
 class ControlLoopTest : public ::testing::Test {
 protected:
-    ControlLoopTest() {
+    ControlLoopTest() { rebuild({}); }
+    void rebuild(const ControlOptions& options, std::unique_ptr<Planner> planner = nullptr) {
+        if (!planner)
+            planner = std::make_unique<ImmediatePlanner>(m_geometry);
         m_loop = std::make_unique<ControlLoop>(
-            m_device, m_geometry, m_solver, ControlOptions{}, [this](const Snapshot& s) { take(s); },
-            m_device.clock(), std::make_unique<ImmediatePlanner>(m_geometry));
+            m_device, m_geometry, m_solver, options, [this](const Snapshot& s) { take(s); }, m_device.clock(),
+            std::move(planner));
     }
     void take(const Snapshot& snapshot) {
         m_last = snapshot;
@@ -54,6 +58,18 @@ protected:
         const auto found =
             std::find_if(m_events.begin(), m_events.end(), [&](const Event& e) { return e.code == code; });
         return found == m_events.end() ? "no such event" : payloadWords(*found);
+    }
+    int count(EventCode code) const {
+        return static_cast<int>(
+            std::count_if(m_events.begin(), m_events.end(), [&](const Event& e) { return e.code == code; }));
+    }
+    /// Enabled, in control, at rest.
+    void enable() {
+        m_device.state = ControllerState::Disabled;
+        cycles(2);
+        m_loop->post(EnableCommand{});
+        until(RunState::Enabled);
+        cycles(2);
     }
     void run() { m_loop->post(RunCommand{target()}); }
     /// To the middle of a move.
