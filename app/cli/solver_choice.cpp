@@ -7,7 +7,7 @@
 #include "core/base/input_error.h"
 #include "core/base/units.h"
 #include "core/finite_step/finite_step_solver.h"
-#include "core/kinematics/forward_methods.h"
+#include "core/kinematics/catalog/forward_methods.h"
 #include "core/kinematics/regression/model_cache.h"
 #include "core/kinematics/regression/polynomial_file.h"
 
@@ -54,9 +54,9 @@ ChosenSolver withModel(const ForwardMethod& method, const PlatformGeometry& plat
     PathFallbackOptions fallback;
     fallback.tolerance = options.tolerance;
     fallback.afterIterationLimit = !limitGiven; // who gives one wants to see what it does
-    return {
-        withPathFallback(method, platform, makeForwardSolver(method, platform, &model, options), fallback),
-        model.fingerprint()};
+    const SharedModel shared = makeModel(platform);
+    return {withPathFallback(method, shared, makeForwardSolver(method, shared, &model, options), fallback),
+            model.fingerprint()};
 }
 
 void refuseOption(const Arguments& arguments, const char* option, const std::string& cause) {
@@ -122,7 +122,7 @@ ChosenSolver chooseSolver(const Arguments& arguments, const PlatformGeometry& pl
 }
 
 ChosenSolver chooseSolverAlsoWhenSingular(const Arguments& arguments, const PlatformGeometry& platform) {
-    return choose(arguments, platform, homeDeterminant(platform) != 0.0);
+    return choose(arguments, platform, PlatformModel(platform).homeDeterminant() != 0.0);
 }
 
 ChosenSolver makeDefaultSolver(const ForwardMethod& method, const PlatformGeometry& platform) {

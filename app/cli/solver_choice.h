@@ -6,7 +6,7 @@
 #include "core/finite_step/path_fallback.h"
 #include "core/finite_step/step_form.h"
 #include "core/geometry/platform_geometry.h"
-#include "core/kinematics/forward_methods.h"
+#include "core/kinematics/catalog/forward_methods.h"
 #include "core/kinematics/forward_solver.h"
 
 #include <memory>

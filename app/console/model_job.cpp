@@ -4,7 +4,7 @@
 
 #include "core/finite_step/finite_step_solver.h"
 #include "core/finite_step/path_fallback.h"
-#include "core/kinematics/forward_methods.h"
+#include "core/kinematics/catalog/forward_methods.h"
 #include "core/kinematics/regression/model_cache.h"
 
 #include <QThread>
@@ -63,8 +63,9 @@ void ModelJob::work() {
             emit cancelled();
             return;
         }
-        emit ready({withPathFallback(*method, m_geometry,
-                                     makeForwardSolver(*method, m_geometry, &cached->model, NewtonOptions{})),
+        const SharedModel platform = makeModel(m_geometry);
+        emit ready({withPathFallback(*method, platform,
+                                     makeForwardSolver(*method, platform, &cached->model, NewtonOptions{})),
                     cached->model.fingerprint()});
     } catch (const std::exception& error) {
         emit failed(QString::fromUtf8(error.what()));

@@ -15,21 +15,22 @@ constexpr double kSlack = 1e-9;
 
 } // namespace
 
-FiniteStepSolver::FiniteStepSolver(const PlatformGeometry& geometry, const FiniteStepOptions& options)
-    : m_geometry(geometry), m_equations(geometry), m_path(geometry), m_options(options) {
+FiniteStepSolver::FiniteStepSolver(const SharedModel& model, const FiniteStepOptions& options)
+    : m_model(model), m_path(model), m_options(options) {
     if (!(m_options.tolerance > 0.0))
-        m_options.tolerance = kDefaultTolerance * geometry.size();
+        m_options.tolerance = kDefaultTolerance * m_model->size();
 }
 
 ForwardResult FiniteStepSolver::solve(const LegLengths& lengths, const Pose& start) const noexcept {
-    if (!areLengths(lengths) || !start.isFinite())
-        return withoutPose(SolveStatus::InvalidInput, 0, kNoNumber);
-    if (m_equations.areUnreachable(m_equations.scaled(lengths), kSlack))
-        return withoutPose(SolveStatus::NoSolution, 0, kNoNumber);
+    if (!areValidLengths(lengths) || !start.isFinite())
+        return failure(SolveStatus::InvalidInput, 0, kNoNumber);
+    const LegEquations& equations = m_model->equations();
+    if (equations.areUnreachable(equations.scaled(lengths), kSlack))
+        return failure(SolveStatus::NoSolution, 0, kNoNumber);
     const PathResult path = m_path.followStraight(start, lengths, m_options.steps, m_options.form);
     if (path.end == PathEnd::InvalidInput)
-        return withoutPose(SolveStatus::InvalidInput, 0, kNoNumber);
-    const double residual = legResidual(m_geometry, lengths, path.pose);
+        return failure(SolveStatus::InvalidInput, 0, kNoNumber);
+    const double residual = legResidual(m_model->geometry(), lengths, path.pose);
     const bool accurate = residual <= m_options.tolerance;
     const SolveStatus status = path.end == PathEnd::Singular ? SolveStatus::Singular
                                : accurate                    ? SolveStatus::Converged

@@ -4,7 +4,7 @@
 
 #include "core/finite_step/leg_path.h"
 #include "core/kinematics/forward_solver.h"
-#include "core/kinematics/leg_equations.h"
+#include "core/kinematics/platform_model.h"
 
 namespace hexapose {
 
@@ -25,13 +25,14 @@ struct FiniteStepOptions {
 class FiniteStepSolver final : public ForwardSolver {
 public:
     /// Throws InputError when no three platform joints span a triangle.
-    FiniteStepSolver(const PlatformGeometry& geometry, const FiniteStepOptions& options);
+    FiniteStepSolver(const SharedModel& model, const FiniteStepOptions& options);
+    FiniteStepSolver(const PlatformGeometry& geometry, const FiniteStepOptions& options)
+        : FiniteStepSolver(makeModel(geometry), options) {}
     ForwardResult solve(const LegLengths& lengths, const Pose& start) const noexcept override;
     std::string_view name() const noexcept override { return "fsi"; }
 
 private:
-    PlatformGeometry m_geometry;
-    LegEquations m_equations;
+    SharedModel m_model;
     LegPath m_path;
     FiniteStepOptions m_options;
 };

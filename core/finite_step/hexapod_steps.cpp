@@ -34,7 +34,8 @@ struct HexapodSteps::Configuration {
     LinearSystem system;     ///< e . v + (r x e) . turn = right, the turn times the spread
 };
 
-HexapodSteps::HexapodSteps(const PlatformGeometry& geometry) : m_p_OP_home_B(geometry.p_OP_home_B) {
+HexapodSteps::HexapodSteps(const PlatformModel& model) : m_p_OP_home_B(model.geometry().p_OP_home_B) {
+    const PlatformGeometry& geometry = model.geometry();
     const HexapodMarks marks = hexapodMarks(geometry);
     for (std::size_t k = 0; k < 3; ++k)
         m_homeMarks.col(static_cast<Eigen::Index>(k)) =
@@ -59,7 +60,7 @@ HexapodSteps::HexapodSteps(const PlatformGeometry& geometry) : m_p_OP_home_B(geo
     for (const Leg& leg : geometry.legs)
         square += (geometry.p_OP_home_B + leg.p_PB_P - m_homeMarks.col(0) - sides * m_centre).squaredNorm();
     m_spread = std::sqrt(square / kLegCount);
-    if (homeDeterminant(geometry) == 0.0)
+    if (model.homeDeterminant() == 0.0)
         return;
     m_homeDeterminant = 1.0;
     m_homeDeterminant = determinantRatio(m_homeMarks);

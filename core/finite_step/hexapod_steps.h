@@ -3,8 +3,7 @@
 #pragma once
 
 #include "core/finite_step/step_system.h"
-#include "core/geometry/platform_geometry.h"
-#include "core/geometry/pose.h"
+#include "core/kinematics/platform_model.h"
 
 #include <Eigen/Core>
 
@@ -22,7 +21,7 @@ public:
     using Marks = Eigen::Matrix<double, 3, 4>;
 
     /// Throws InputError when no three platform joints span a triangle.
-    explicit HexapodSteps(const PlatformGeometry& geometry);
+    explicit HexapodSteps(const PlatformModel& model);
 
     /// False where the platform is singular at home: then no path can be followed.
     bool isRegularAtHome() const noexcept { return m_homeDeterminant != 0.0; }

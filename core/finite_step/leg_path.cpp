@@ -3,8 +3,6 @@
 #include "core/finite_step/leg_path.h"
 
 #include "core/finite_step/stop_rule.h"
-#include "core/kinematics/inverse_kinematics.h"
-#include "core/kinematics/singularity.h"
 #include "core/kinematics/solver_checks.h"
 
 #include <algorithm>
@@ -22,7 +20,7 @@ PathResult nothing() noexcept {
 
 } // namespace
 
-LegPath::LegPath(const PlatformGeometry& geometry) : m_geometry(geometry), m_steps(geometry) {}
+LegPath::LegPath(SharedModel model) : m_model(std::move(model)), m_steps(*m_model) {}
 
 template <class LegsAt>
 PathResult LegPath::follow(const Pose& start, int steps, StepForm form, const LegsAt& legsAt) const noexcept {
@@ -32,12 +30,12 @@ PathResult LegPath::follow(const Pose& start, int steps, StepForm form, const Le
         result.end = end;
         result.pose = m_steps.poseOf(marks);
         result.smallestSingularValue =
-            result.pose.isFinite() ? singularityMeasure(m_geometry, result.pose).smallestSingularValue : 0.0;
+            result.pose.isFinite() ? m_model->singularity(result.pose).smallestSingularValue : 0.0;
         return result;
     };
     if (!m_steps.isRegularAtHome())
         return ended(PathEnd::Singular);
-    LegLengths from = legLengths(m_geometry, start);
+    LegLengths from = m_model->actuators(start);
     result.q = result.leastQ = m_steps.determinantRatio(marks);
     StopRule rule(steps, result.q);
     const StepSide side = form == StepForm::Open ? StepSide::Drive : StepSide::Closed;
@@ -73,9 +71,9 @@ PathResult LegPath::follow(const Pose& start, int steps, StepForm form, const Le
 
 PathResult LegPath::followStraight(const Pose& start, const LegLengths& target, int steps,
                                    StepForm form) const noexcept {
-    if (!areLengths(target) || !start.isFinite() || steps < 1)
+    if (!areValidLengths(target) || !start.isFinite() || steps < 1)
         return nothing();
-    const LegLengths first = legLengths(m_geometry, start);
+    const LegLengths first = m_model->actuators(start);
     const LegLengths part = (target - first) / static_cast<double>(steps);
     return follow(start, steps, form, [&](int step) -> LegLengths {
         if (step + 1 == steps)
@@ -86,7 +84,7 @@ PathResult LegPath::followStraight(const Pose& start, const LegLengths& target, 
 
 PathResult LegPath::followTable(const Pose& start, std::span<const LegLengths> table,
                                 StepForm form) const noexcept {
-    if (!start.isFinite() || table.empty() || !std::all_of(table.begin(), table.end(), areLengths))
+    if (!start.isFinite() || table.empty() || !std::all_of(table.begin(), table.end(), areValidLengths))
         return nothing();
     return follow(start, static_cast<int>(table.size()), form,
                   [&](int step) -> const LegLengths& { return table[static_cast<std::size_t>(step)]; });

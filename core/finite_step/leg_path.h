@@ -4,8 +4,7 @@
 
 #include "core/finite_step/hexapod_steps.h"
 #include "core/finite_step/step_form.h"
-#include "core/geometry/platform_geometry.h"
-#include "core/geometry/pose.h"
+#include "core/kinematics/platform_model.h"
 
 #include <cstdint>
 #include <span>
@@ -34,7 +33,8 @@ struct PathResult {
 class LegPath {
 public:
     /// Throws InputError when no three platform joints span a triangle.
-    explicit LegPath(const PlatformGeometry& geometry);
+    explicit LegPath(SharedModel model);
+    explicit LegPath(const PlatformGeometry& geometry) : LegPath(makeModel(geometry)) {}
 
     /// All legs straight from their lengths at `start` to `target` (m), in equal parts.
     PathResult followStraight(const Pose& start, const LegLengths& target, int steps,
@@ -47,7 +47,7 @@ private:
     template <class LegsAt>
     PathResult follow(const Pose& start, int steps, StepForm form, const LegsAt& legsAt) const noexcept;
 
-    PlatformGeometry m_geometry;
+    SharedModel m_model;
     HexapodSteps m_steps;
 };
 

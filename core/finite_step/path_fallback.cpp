@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/finite_step/path_fallback.h"
 
-#include "core/kinematics/inverse_kinematics.h"
 #include "core/kinematics/newton/newton_raphson.h"
 #include "core/kinematics/solver_checks.h"
 
@@ -27,12 +26,12 @@ constexpr double kLongestEndCorrection = 1e-3;
 
 } // namespace
 
-PathFallback::PathFallback(const PlatformGeometry& geometry, std::shared_ptr<const ForwardSolver> solver,
+PathFallback::PathFallback(const SharedModel& model, std::shared_ptr<const ForwardSolver> solver,
                            const PathFallbackOptions& options)
-    : m_geometry(geometry), m_solver(std::move(solver)), m_path(geometry), m_steps(geometry),
-      m_options(options), m_size(geometry.size()) {
+    : m_model(model), m_solver(std::move(solver)), m_path(model), m_steps(*model), m_options(options),
+      m_size(model->size()) {
     if (!(m_options.tolerance > 0.0))
-        m_options.tolerance = defaultTolerance(geometry);
+        m_options.tolerance = defaultTolerance(model->geometry());
 }
 
 double PathFallback::distance(const Pose& a, const Pose& b) const noexcept {
@@ -49,8 +48,7 @@ bool PathFallback::isUnsure(const ForwardResult& result, const LegLengths& lengt
         if (change.head<3>().sum() / m_size + change.tail<3>().sum() <= kNear)
             return false;
         const double far = distance(start, result.pose);
-        return far > kNear &&
-               (lengths - legLengths(m_geometry, start)).norm() < kLeastLegChange * far * m_size;
+        return far > kNear && (lengths - m_model->actuators(start)).norm() < kLeastLegChange * far * m_size;
     }
     return result.status == SolveStatus::OtherBranch || result.status == SolveStatus::Singular ||
            (result.status == SolveStatus::IterationLimit && m_options.afterIterationLimit);
@@ -81,25 +79,24 @@ std::optional<ForwardResult> PathFallback::corrected(const LegLengths& lengths,
     const HexapodSteps::Marks end = m_steps.marksAt(path.pose);
     HexapodSteps::Marks marks = end;
     Pose pose = path.pose;
-    double residual = legResidual(m_geometry, lengths, pose);
+    double residual = legResidual(m_model->geometry(), lengths, pose);
     int corrections = 0;
     while (!(residual <= m_options.tolerance)) {
         if (corrections++ == kMostEndCorrections || !(m_steps.rigidStep(marks, lengths) > 0.0) ||
             !((marks - end).norm() <= kLongestEndCorrection * m_size))
             return std::nullopt;
         pose = m_steps.poseOf(marks);
-        residual = legResidual(m_geometry, lengths, pose);
+        residual = legResidual(m_model->geometry(), lengths, pose);
     }
     return ForwardResult{pose, SolveStatus::Converged, path.step + corrections, residual, true};
 }
 
-std::shared_ptr<const ForwardSolver> withPathFallback(const ForwardMethod& method,
-                                                      const PlatformGeometry& geometry,
+std::shared_ptr<const ForwardSolver> withPathFallback(const ForwardMethod& method, const SharedModel& model,
                                                       std::shared_ptr<const ForwardSolver> solver,
                                                       const PathFallbackOptions& options) {
     if (!method.word.ends_with("-nr"))
         return solver;
-    return std::make_shared<PathFallback>(geometry, std::move(solver), options);
+    return std::make_shared<PathFallback>(model, std::move(solver), options);
 }
 
 } // namespace hexapose

@@ -4,11 +4,12 @@
 
 #include "core/finite_step/hexapod_steps.h"
 #include "core/finite_step/leg_path.h"
-#include "core/kinematics/forward_methods.h"
+#include "core/kinematics/catalog/forward_methods.h"
 #include "core/kinematics/forward_solver.h"
 
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace hexapose {
 
@@ -43,8 +44,11 @@ public:
     };
 
     /// Throws InputError when no three platform joints span a triangle.
-    PathFallback(const PlatformGeometry& geometry, std::shared_ptr<const ForwardSolver> solver,
+    PathFallback(const SharedModel& model, std::shared_ptr<const ForwardSolver> solver,
                  const PathFallbackOptions& options = {});
+    PathFallback(const PlatformGeometry& geometry, std::shared_ptr<const ForwardSolver> solver,
+                 const PathFallbackOptions& options = {})
+        : PathFallback(makeModel(geometry), std::move(solver), options) {}
     ForwardResult solve(const LegLengths& lengths, const Pose& start) const noexcept override {
         return answer(lengths, start).result;
     }
@@ -57,7 +61,7 @@ private:
     double distance(const Pose& a, const Pose& b) const noexcept;
     std::optional<ForwardResult> corrected(const LegLengths& lengths, const PathResult& path) const noexcept;
 
-    PlatformGeometry m_geometry;
+    SharedModel m_model;
     std::shared_ptr<const ForwardSolver> m_solver;
     LegPath m_path;
     HexapodSteps m_steps;
@@ -66,8 +70,7 @@ private:
 };
 
 /// The solver of a method as programs use it: MPR-NR with its fallback, any other as it is.
-std::shared_ptr<const ForwardSolver> withPathFallback(const ForwardMethod& method,
-                                                      const PlatformGeometry& geometry,
+std::shared_ptr<const ForwardSolver> withPathFallback(const ForwardMethod& method, const SharedModel& model,
                                                       std::shared_ptr<const ForwardSolver> solver,
                                                       const PathFallbackOptions& options = {});
 

@@ -5,7 +5,6 @@
 #include "core/geometry/platform_geometry.h"
 #include "core/geometry/pose.h"
 #include "core/kinematics/linear_system.h"
-#include "core/kinematics/vector/newton_lanes.h"
 
 #include <Eigen/Core>
 
@@ -40,6 +39,11 @@ public:
     double size() const noexcept { return m_size; }
     double spread() const noexcept { return m_spread; }
     const Eigen::Vector3d& centroidInP() const noexcept { return m_centroidInP; }
+    /// P at home from O, base frame.
+    const Eigen::Vector3d& home() const noexcept { return m_home; }
+    /// Base joints from O, base frame, and platform joints from their centroid, platform frame.
+    Eigen::Vector3d base(int leg) const noexcept { return {m_ax[leg], m_ay[leg], m_az[leg]}; }
+    Eigen::Vector3d joint(int leg) const noexcept { return {m_bx[leg], m_by[leg], m_bz[leg]}; }
     Legs scaled(const LegLengths& lengths) const noexcept { return lengths.array() / m_size; }
 
     Placement placementOf(const Pose& pose) const noexcept;
@@ -60,9 +64,6 @@ public:
     /// Sign of the Jacobian's determinant, which tells the side of the singular surface; 0 where the smallest
     /// singular value is below the floor.
     double branchSign(const Evaluation& at, double singularValueFloor) const noexcept;
-
-    /// The same machine for the vector code, with the box about home in which it need not ask for the side.
-    LaneMachine laneMachine(double homeDeterminant) const;
 
     /// Surely no pose has these lengths: two break a triangle inequality, | |d_i| - |d_j| | <= |A_i A_j| +
     /// |B_i B_j|, or they are so long that their products are no numbers.

@@ -4,8 +4,6 @@
 
 #include "core/kinematics/inverse_kinematics.h"
 #include "core/kinematics/jacobian.h"
-#include "core/kinematics/leg_equations.h"
-#include "core/kinematics/singularity.h"
 
 #include <Eigen/LU>
 
@@ -32,11 +30,12 @@ RoundingEffect roundingEffect(const PlatformGeometry& geometry, const Pose& pose
             inverse.rowwise().norm() * (resolution / std::sqrt(12.0))};
 }
 
-PoseAccuracy poseAccuracy(const PlatformGeometry& geometry, const Pose& pose, double residual) {
-    const SingularityMeasure measure = singularityMeasure(geometry, pose);
+PoseAccuracy poseAccuracy(const PlatformModel& model, const Pose& pose, double residual) {
+    const SingularityMeasure measure = model.singularity(pose);
     PoseAccuracy accuracy{measure.smallestSingularValue, measure.condition, kInfinity, kInfinity};
 
-    const LegEquations equations(geometry);
+    const PlatformGeometry& geometry = model.geometry();
+    const LegEquations& equations = model.equations();
     const double size = equations.size(), spread = equations.spread();
     const Eigen::Vector3d& centroid = equations.centroidInP(); // machine sizes
     double reach = geometry.p_OP_home_B.norm() + pose.offset.norm();

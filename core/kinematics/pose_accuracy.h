@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/geometry/platform_geometry.h"
-#include "core/geometry/pose.h"
+#include "core/kinematics/platform_model.h"
 
 namespace hexapose {
 
@@ -28,6 +27,6 @@ struct PoseAccuracy {
 /// along the screw motion from the pose to the exact one each length has a second derivative of at most k_i,
 /// so the motion's extent rho obeys sigma rho <= residual + |k| rho^2 / 2. It holds for the exact pose next
 /// to this one, and allows for the rounding of the computed lengths.
-PoseAccuracy poseAccuracy(const PlatformGeometry& geometry, const Pose& pose, double residual);
+PoseAccuracy poseAccuracy(const PlatformModel& model, const Pose& pose, double residual);
 
 } // namespace hexapose

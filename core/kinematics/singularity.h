@@ -5,6 +5,8 @@
 #include "core/geometry/platform_geometry.h"
 #include "core/geometry/pose.h"
 
+#include <Eigen/Core>
+
 namespace hexapose {
 
 /// How far a pose is from a singular one. All without units, and independent of where the platform origin P
@@ -16,7 +18,17 @@ struct SingularityMeasure {
     double condition = 0.0;             ///< largest over smallest singular value
 };
 
-/// At a finite pose. Where the Jacobian (Eq. 8) is not finite: zeros, and an infinite condition.
+/// Smallest singular value below which a pose counts as singular: there a leg error is magnified ten thousand
+/// times, and the lengths no longer tell the pose.
+inline constexpr double kSingularValueFloor = 1e-4;
+
+/// From the scaled Jacobian. Where that is not finite: zeros, and an infinite condition. Takes 0.5 us.
+SingularityMeasure singularityOf(const Eigen::Matrix<double, 6, 6>& scaledJacobian) noexcept;
+
+/// At a finite pose. Builds a PlatformModel to ask it: who asks more than once keeps one.
 SingularityMeasure singularityMeasure(const PlatformGeometry& geometry, const Pose& pose);
+
+/// Its determinant alone: without pivots, and so without branches.
+double determinantOf(const Eigen::Matrix<double, 6, 6>& matrix) noexcept;
 
 } // namespace hexapose

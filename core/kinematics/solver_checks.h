@@ -14,12 +14,12 @@ namespace hexapose {
 inline constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 /// Lengths that can be the lengths of legs: finite and positive.
-inline bool areLengths(const LegLengths& lengths) noexcept {
+inline bool areValidLengths(const LegLengths& lengths) noexcept {
     return lengths.allFinite() && (lengths.array() > 0.0).all();
 }
 
 /// A result without a pose: NaN, so that nobody takes it for home.
-inline ForwardResult withoutPose(SolveStatus status, int iterations, double residual) noexcept {
+inline ForwardResult failure(SolveStatus status, int iterations, double residual) noexcept {
     ForwardResult result;
     result.pose = Pose::fromVector(PoseVector::Constant(std::numeric_limits<double>::quiet_NaN()));
     result.status = status;

@@ -3,8 +3,7 @@
 
 #include "core/motion/leg_path_check.h"
 
-#include "core/kinematics/inverse_kinematics.h"
-#include "core/kinematics/newton/newton_raphson.h"
+#include "core/kinematics/newton/newton_iteration.h"
 #include "core/motion/path_sample.h"
 
 #include <algorithm>
@@ -21,10 +20,12 @@ namespace {
 constexpr double kSamePose = 1e-6;
 constexpr double kLongestStep = 0.01; ///< of the path
 constexpr double kShortestStep = 1e-5;
+constexpr double kTolerance = 1e-10; ///< of the pose at a step: norm of the leg errors, machine sizes
+constexpr int kMostIterations = 50;
 
-bool isSamePose(const PlatformGeometry& geometry, const Pose& a, const Pose& b) {
+bool isSamePose(const PlatformModel& model, const Pose& a, const Pose& b) {
     const double angle = (rotationMatrix(a.angles) - rotationMatrix(b.angles)).norm();
-    return (a.offset - b.offset).norm() <= kSamePose * geometry.size() && angle <= kSamePose;
+    return (a.offset - b.offset).norm() <= kSamePose * model.size() && angle <= kSamePose;
 }
 
 /// Whether the margin holds while the legs go on by `step` of the path from a sample where the platform goes
@@ -43,15 +44,15 @@ bool holdsFor(const PathSample& at, double spread, double speed, double step, do
     });
 }
 
-/// A path of straight leg lengths, and the pose on it.
+/// A path of straight leg lengths, and where the platform is on it.
 class LegPathWalk {
 public:
-    LegPathWalk(const PlatformGeometry& geometry, const Pose& from, const Pose& to)
-        : m_newton(geometry, NewtonOptions{}), m_equations(geometry), m_start(legLengths(geometry, from)),
-          m_change(legLengths(geometry, to) - m_start), m_scaledEnd(m_equations.scaled(m_start + m_change)),
-          m_pose(from), m_sample(m_equations, from) {}
+    LegPathWalk(const PlatformModel& model, const Pose& from, const Pose& to)
+        : m_model(model), m_equations(model.equations()), m_start(m_equations.scaled(model.actuators(from))),
+          m_change(m_equations.scaled(model.actuators(to)) - m_start),
+          m_placement(m_equations.placementOf(from)), m_sample(m_equations, m_placement) {}
 
-    const Pose& pose() const { return m_pose; }
+    Pose pose() const { return m_equations.poseOf(m_placement); }
     double done() const { return m_done; }
     double smallestSingularValue() const { return m_sample.smallestSingularValue(); }
 
@@ -63,35 +64,35 @@ public:
             step *= 0.5;
         return step;
     }
-    /// Goes on by a step; false where there is no pose.
+    /// Goes on by a step; false where there is no pose on home's side.
     bool advance(double step) {
         m_step = step;
         m_done = std::min(m_done + step, 1.0);
-        const ForwardResult next = m_newton.solve(m_start + m_done * m_change, m_pose);
-        if (next.status != SolveStatus::Converged)
+        const NewtonRun run = runNewton(m_equations, m_start + m_done * m_change, m_placement, kTolerance,
+                                        kMostIterations, StepGuard::Shorten);
+        if (run.end != NewtonEnd::Solved)
             return false;
-        m_pose = next.pose;
-        m_sample = PathSample(m_equations, m_pose);
-        return true;
+        m_placement = run.placement;
+        m_sample = PathSample(m_equations, m_placement);
+        return m_model.ratioOf(m_sample.determinant()) > 0.0;
     }
 
 private:
     /// By which the platform goes on a path from here.
     double speedAlongPath() const {
-        LegEquations::Evaluation toEnd = m_sample.evaluation();
-        toEnd.error = m_scaledEnd - toEnd.length;
+        LegEquations::Evaluation along = m_sample.evaluation();
+        along.error = m_change;
         LegEquations::Step step;
-        if (m_equations.newtonStep(toEnd, step) == 0.0)
+        if (m_equations.newtonStep(along, step) == 0.0)
             return std::numeric_limits<double>::infinity();
-        return step.norm() / (1.0 - m_done);
+        return step.norm();
     }
 
-    NewtonRaphson m_newton;
-    LegEquations m_equations;
-    LegLengths m_start;
-    LegLengths m_change;
-    LegEquations::Legs m_scaledEnd;
-    Pose m_pose;
+    const PlatformModel& m_model;
+    const LegEquations& m_equations;
+    LegEquations::Legs m_start;
+    LegEquations::Legs m_change;
+    Placement m_placement;
     PathSample m_sample;
     double m_done = 0.0;
     double m_step = kLongestStep;
@@ -105,15 +106,15 @@ MotionCheck because(MotionCheck::Reason reason) {
 
 } // namespace
 
-MotionCheck checkLegPath(const PlatformGeometry& geometry, const MotionLimits& limits, const Pose& from,
+MotionCheck checkLegPath(const PlatformModel& model, const MotionLimits& limits, const Pose& from,
                          const Pose& to, PlanTimer* timer) {
-    const MotionCheck target = checkPose(geometry, limits, to);
+    const MotionCheck target = checkPose(model, limits, to);
     if (!target.ok())
         return target;
     if (!from.isFinite())
         return because(MotionCheck::Reason::NotFinite);
     // Legs plus the sign of det J do not identify a pose; the path followed does.
-    LegPathWalk walk(geometry, from, to);
+    LegPathWalk walk(model, from, to);
     while (walk.done() < 1.0) {
         if (expired(timer))
             return failedAlongPath(MotionCheck::Reason::PlanTooLong, walk.done(), 0.0, 0.0);
@@ -127,7 +128,7 @@ MotionCheck checkLegPath(const PlatformGeometry& geometry, const MotionLimits& l
             return *outside;
         }
     }
-    if (!isSamePose(geometry, walk.pose(), to))
+    if (!isSamePose(model, walk.pose(), to))
         return because(MotionCheck::Reason::OtherAssemblyMode);
     return {};
 }

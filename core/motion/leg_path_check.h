@@ -12,7 +12,7 @@ namespace hexapose {
 /// step, of 1/100 of the path at most, is as short as it takes for the margin to hold all along it, to within
 /// 0.0005. A timer that runs out ends the check with PlanTooLong and the fraction of the path that was
 /// checked.
-MotionCheck checkLegPath(const PlatformGeometry& geometry, const MotionLimits& limits, const Pose& from,
+MotionCheck checkLegPath(const PlatformModel& model, const MotionLimits& limits, const Pose& from,
                          const Pose& to, PlanTimer* timer = nullptr);
 
 } // namespace hexapose

@@ -3,9 +3,6 @@
 
 #include "core/motion/limits.h"
 
-#include "core/kinematics/inverse_kinematics.h"
-#include "core/kinematics/singularity.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -80,21 +77,21 @@ MotionLimits limitsFrom(MotionLimits limits, const LegLengths& lengths, double w
     return limits;
 }
 
-MotionCheck checkPose(const PlatformGeometry& geometry, const MotionLimits& limits, const Pose& pose) {
+MotionCheck checkPose(const PlatformModel& model, const MotionLimits& limits, const Pose& pose) {
     if (!pose.isFinite())
         return failedCheck(MotionCheck::Reason::NotFinite, 0.0, 0.0);
-    const MotionCheck legs = checkLegs(limits, legLengths(geometry, pose));
+    const MotionCheck legs = checkLegs(limits, model.actuators(pose));
     if (!legs.ok())
         return legs;
     if (const auto outside = outsideEnvelope(limits.envelope, pose))
         return *outside;
-    const SingularityMeasure measure = singularityMeasure(geometry, pose);
+    const SingularityMeasure measure = model.singularity(pose);
     if (!(measure.smallestSingularValue >= limits.singularityMargin))
         return failedCheck(MotionCheck::Reason::NearSingular, measure.smallestSingularValue,
                            limits.singularityMargin);
     if (limits.leastDeterminantRatio == -std::numeric_limits<double>::infinity())
         return {};
-    const double q = measure.determinant / singularityMeasure(geometry, Pose{}).determinant;
+    const double q = model.ratioOf(measure.determinant);
     if (!(q >= limits.leastDeterminantRatio))
         return failedCheck(MotionCheck::Reason::WrongSideOfSingularity, q, limits.leastDeterminantRatio);
     return {};

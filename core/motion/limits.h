@@ -5,7 +5,7 @@
 #include "core/geometry/leg_lengths.h"
 #include "core/geometry/platform_geometry.h"
 #include "core/geometry/pose.h"
-#include "core/kinematics/forward_solver.h"
+#include "core/kinematics/platform_model.h"
 #include "core/motion/motion_check.h"
 #include "core/motion/pose_motion.h"
 
@@ -50,7 +50,7 @@ MotionLimits limitsFrom(MotionLimits limits, const LegLengths& lengths, double w
 
 /// The pose alone: finite, strokes, singularity margin. Of several legs out of stroke the one furthest out is
 /// named.
-MotionCheck checkPose(const PlatformGeometry& geometry, const MotionLimits& limits, const Pose& pose);
+MotionCheck checkPose(const PlatformModel& model, const MotionLimits& limits, const Pose& pose);
 
 /// The coordinate that is further from home than the envelope allows, or nothing.
 std::optional<MotionCheck> outsideEnvelope(const PoseEnvelope& envelope, const Pose& pose);

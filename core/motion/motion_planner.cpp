@@ -4,7 +4,6 @@
 #include "core/motion/motion_planner.h"
 
 #include "core/geometry/twist.h"
-#include "core/kinematics/inverse_kinematics.h"
 #include "core/motion/leg_path_check.h"
 #include "core/motion/leg_trajectory.h"
 #include "core/motion/pose_motion_check.h"
@@ -26,39 +25,38 @@ MotionCheck failed(MotionCheck::Reason reason, double value = 0.0, double bound 
 }
 
 /// The motion of a request in the workspace, or nothing when the time is up.
-std::shared_ptr<const PoseMotion> makeMotion(const PlatformGeometry& geometry, const MotionBounds& bounds,
+std::shared_ptr<const PoseMotion> makeMotion(const PlatformModel& model, const MotionBounds& bounds,
                                              const Pose& from, const MotionRequest& request,
                                              PlanTimer& timer) {
     if (const auto* sweep = std::get_if<SweepSettings>(&request))
         return std::make_shared<SineSweep>(from, *sweep);
     const auto& move = std::get<StraightMove>(request);
-    if (auto motion = StraightMotion::plan(geometry, from, move.target, bounds, timer))
+    if (auto motion = StraightMotion::plan(model, from, move.target, bounds, timer))
         return std::make_shared<StraightMotion>(std::move(*motion));
     return nullptr;
 }
 
-void planJointMotion(PlannedMotion& planned, const PlatformGeometry& geometry, const MotionBounds& bounds,
+void planJointMotion(PlannedMotion& planned, const PlatformModel& model, const MotionBounds& bounds,
                      const Pose& target, PlanTimer& timer) {
-    planned.check = checkLegPath(geometry, planned.limits, planned.start.pose, target, &timer);
+    planned.check = checkLegPath(model, planned.limits, planned.start.pose, target, &timer);
     if (!planned.check.ok())
         return;
-    planned.endLengths = legLengths(geometry, target);
+    planned.endLengths = model.actuators(target);
     const LegTrajectory trajectory(planned.start.setPoint, planned.endLengths, bounds.legSpeed);
     planned.duration = std::chrono::duration<double>(trajectory.duration()).count();
 }
 
-void planWorkspaceMotion(PlannedMotion& planned, const PlatformGeometry& geometry, const MotionBounds& bounds,
+void planWorkspaceMotion(PlannedMotion& planned, const PlatformModel& model, const MotionBounds& bounds,
                          double strokeSlack, PlanTimer& timer) {
-    planned.motion = makeMotion(geometry, bounds, planned.start.pose, planned.request, timer);
+    planned.motion = makeMotion(model, bounds, planned.start.pose, planned.request, timer);
     if (!planned.motion) {
         planned.check = failed(MotionCheck::Reason::PlanTooLong);
         planned.check.fraction = 0.0;
         return;
     }
-    const MotionLimits along =
-        limitsFrom(planned.limits, legLengths(geometry, planned.start.pose), strokeSlack);
-    planned.check = checkMotion(geometry, along, *planned.motion, &timer);
-    planned.endLengths = legLengths(geometry, planned.endPose());
+    const MotionLimits along = limitsFrom(planned.limits, model.actuators(planned.start.pose), strokeSlack);
+    planned.check = checkMotion(model, along, *planned.motion, &timer);
+    planned.endLengths = model.actuators(planned.endPose());
     planned.duration = planned.motion->duration();
 }
 
@@ -74,9 +72,9 @@ Pose PlannedMotion::endPose() const {
     return move ? move->target : start.pose;
 }
 
-PlannedMotion planMotion(const PlatformGeometry& geometry, const MotionBounds& bounds,
-                         const MotionLimits& limits, double strokeSlack, const PlanStart& start,
-                         const MotionRequest& request, const PlanBudget& budget) {
+PlannedMotion planMotion(const PlatformModel& model, const MotionBounds& bounds, const MotionLimits& limits,
+                         double strokeSlack, const PlanStart& start, const MotionRequest& request,
+                         const PlanBudget& budget) {
     PlannedMotion planned;
     planned.request = request;
     planned.start = start;
@@ -84,7 +82,7 @@ PlannedMotion planMotion(const PlatformGeometry& geometry, const MotionBounds& b
     const auto* move = std::get_if<StraightMove>(&request);
     const auto* sweep = std::get_if<SweepSettings>(&request);
     if (move) { // a target that cannot be is not worth a plan
-        planned.check = checkPose(geometry, limits, move->target);
+        planned.check = checkPose(model, limits, move->target);
         if (!planned.check.ok())
             return planned;
     }
@@ -94,9 +92,9 @@ PlannedMotion planMotion(const PlatformGeometry& geometry, const MotionBounds& b
     }
     PlanTimer timer(budget);
     if (planned.mode() == MotionMode::Joint)
-        planJointMotion(planned, geometry, bounds, move->target, timer);
+        planJointMotion(planned, model, bounds, move->target, timer);
     else
-        planWorkspaceMotion(planned, geometry, bounds, strokeSlack, timer);
+        planWorkspaceMotion(planned, model, bounds, strokeSlack, timer);
     return planned;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/kinematics/platform_model.h"
 #include "core/motion/limits.h"
 #include "core/motion/motion_check.h"
 #include "core/motion/motion_mode.h"
@@ -47,9 +48,9 @@ struct PlannedMotion {
 /// Plans and checks a motion. strokeSlack: a leg that starts beyond an end of its stroke by no more than this
 /// may be there, m. A plan that takes longer than the budget is refused with PlanTooLong and the fraction of
 /// the path that was checked. Deterministic, but for that; may be called from any thread.
-PlannedMotion planMotion(const PlatformGeometry& geometry, const MotionBounds& bounds,
-                         const MotionLimits& limits, double strokeSlack, const PlanStart& start,
-                         const MotionRequest& request, const PlanBudget& budget = {});
+PlannedMotion planMotion(const PlatformModel& model, const MotionBounds& bounds, const MotionLimits& limits,
+                         double strokeSlack, const PlanStart& start, const MotionRequest& request,
+                         const PlanBudget& budget = {});
 
 /// Whether a plan can be begun from here and under these limits: its own check where that is not ok,
 /// LimitsChanged where the limits are other ones, StartMoved where a leg's set-point or P is further from the

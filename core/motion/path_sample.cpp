@@ -3,9 +3,8 @@
 
 #include "core/motion/path_sample.h"
 
-#include "core/geometry/singular_values.h"
-
-#include <Eigen/LU>
+#include "core/kinematics/extreme_singular_values.h"
+#include "core/kinematics/singularity.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,17 +21,17 @@ MotionCheck failedAlongPath(MotionCheck::Reason reason, double fraction, double 
     return check;
 }
 
-PathSample::PathSample(const LegEquations& equations, const Pose& pose)
-    : m_evaluation(equations.evaluate(equations.placementOf(pose), LegEquations::Legs::Zero())),
+PathSample::PathSample(const LegEquations& equations, const Placement& placement)
+    : m_evaluation(equations.evaluate(placement, LegEquations::Legs::Zero())),
       m_jacobian(equations.jacobian(m_evaluation)),
       m_arm((m_evaluation.rx.square() + m_evaluation.ry.square() + m_evaluation.rz.square()).sqrt()),
       m_spread(equations.spread()) {
     if (m_jacobian.allFinite())
-        m_smallest = singularValues(m_jacobian)[5];
+        m_smallest = extremeSingularValues(m_jacobian).smallest;
 }
 
 double PathSample::determinant() const {
-    return m_jacobian.allFinite() ? m_jacobian.determinant() : 0.0;
+    return m_jacobian.allFinite() ? determinantOf(m_jacobian) : 0.0;
 }
 
 double PathSample::jacobianChange(double shift, double turn) const {

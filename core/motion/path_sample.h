@@ -18,11 +18,11 @@ inline bool expired(PlanTimer* timer) {
     return timer && timer->expired();
 }
 
-/// The scaled Jacobian (see singularity.h) at a pose of a path, and how it can change next to it. Shifts are
+/// The scaled Jacobian (see singularity.h) at a place on a path, and how it can change next to it. Shifts are
 /// of the centroid of the platform joints, in machine sizes; turns in rad.
 class PathSample {
 public:
-    PathSample(const LegEquations& equations, const Pose& pose);
+    PathSample(const LegEquations& equations, const Placement& placement);
 
     /// Lengths in machine sizes, no target.
     const LegEquations::Evaluation& evaluation() const { return m_evaluation; }

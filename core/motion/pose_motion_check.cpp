@@ -23,10 +23,9 @@ constexpr double kRateSlack = 1e-2;  ///< of a leg's speed or acceleration: it i
 /// joints: where P was put does not matter.
 class MotionChecker {
 public:
-    MotionChecker(const PlatformGeometry& geometry, const MotionLimits& limits, const PoseMotion& motion,
+    MotionChecker(const PlatformModel& model, const MotionLimits& limits, const PoseMotion& motion,
                   PlanTimer* timer)
-        : m_limits(limits), m_motion(motion), m_timer(timer), m_equations(geometry),
-          m_homeDeterminant(PathSample(m_equations, Pose{}).determinant()),
+        : m_limits(limits), m_motion(motion), m_timer(timer), m_model(model), m_equations(model.equations()),
           m_centroid(m_equations.centroidInP() * m_equations.size()),
           m_bounds(motion.rateBounds(m_centroid)) {
         m_bounds.speed /= m_equations.size();
@@ -60,7 +59,7 @@ private:
 
     Sample sample(double time) const {
         const PoseReference reference = m_motion.at(time);
-        const PathSample path(m_equations, reference.pose);
+        const PathSample path(m_equations, m_equations.placementOf(reference.pose));
         const double size = m_equations.size();
         const Eigen::Vector3d angular = reference.twist.tail<3>();
         Twist centroid;
@@ -85,7 +84,7 @@ private:
         if (!(at.path.smallestSingularValue() >= m_limits.singularityMargin))
             return failedAlongPath(MotionCheck::Reason::PathNearSingular, fraction(at.time),
                                    at.path.smallestSingularValue(), m_limits.singularityMargin);
-        const double q = at.path.determinant() / m_homeDeterminant;
+        const double q = m_model.ratioOf(at.path.determinant());
         if (!(q >= m_limits.leastDeterminantRatio))
             return failedAlongPath(MotionCheck::Reason::WrongSideOfSingularity, fraction(at.time), q,
                                    m_limits.leastDeterminantRatio);
@@ -162,23 +161,23 @@ private:
     const MotionLimits& m_limits;
     const PoseMotion& m_motion;
     PlanTimer* m_timer; ///< null: no hurry
-    LegEquations m_equations;
-    double m_homeDeterminant;
+    const PlatformModel& m_model;
+    const LegEquations& m_equations;
     Eigen::Vector3d m_centroid; ///< from P, platform frame, m
     RateBounds m_bounds;        ///< of the centroid, in machine sizes, and of the turning
 };
 
 } // namespace
 
-MotionCheck checkMotion(const PlatformGeometry& geometry, const MotionLimits& limits,
-                        const PoseMotion& motion, PlanTimer* timer) {
+MotionCheck checkMotion(const PlatformModel& model, const MotionLimits& limits, const PoseMotion& motion,
+                        PlanTimer* timer) {
     if (!motion.at(0.0).pose.isFinite() || !motion.at(motion.duration()).pose.isFinite() ||
         !std::isfinite(motion.duration())) {
         MotionCheck check;
         check.reason = MotionCheck::Reason::NotFinite;
         return check;
     }
-    return MotionChecker(geometry, limits, motion, timer).judge();
+    return MotionChecker(model, limits, motion, timer).judge();
 }
 
 } // namespace hexapose

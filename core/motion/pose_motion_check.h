@@ -13,7 +13,7 @@ namespace hexapose {
 /// all along it, by the most that anything can change there (the margin to within 0.0005), or until it is
 /// 1/100000 of the machine's size. The first reason along the path is told. A timer that runs out ends the
 /// check with PlanTooLong and the fraction of the path that was checked.
-MotionCheck checkMotion(const PlatformGeometry& geometry, const MotionLimits& limits,
-                        const PoseMotion& motion, PlanTimer* timer = nullptr);
+MotionCheck checkMotion(const PlatformModel& model, const MotionLimits& limits, const PoseMotion& motion,
+                        PlanTimer* timer = nullptr);
 
 } // namespace hexapose

@@ -3,8 +3,6 @@
 
 #include "core/motion/straight_motion.h"
 
-#include "core/kinematics/jacobian.h"
-
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -31,10 +29,10 @@ double share(double limit, double length) {
 /// What the legs do along the path: their lengths' derivatives by s, at even steps of s.
 class LegSlopes {
 public:
-    LegSlopes(const PlatformGeometry& geometry, const Pose& from, const Twist& displacement) {
+    LegSlopes(const PlatformModel& model, const Pose& from, const Twist& displacement) {
         for (std::size_t k = 0; k < m_slopes.size(); ++k) {
             const Pose pose = displaced(from, static_cast<double>(k) / kSlopeSteps * displacement);
-            m_slopes[k] = geometricJacobian(geometry, pose) * displacement;
+            m_slopes[k] = model.jacobian(pose) * displacement;
         }
     }
     LegVector at(double s) const {
@@ -64,18 +62,18 @@ double largestLegAcceleration(const LegSlopes& slopes, const PathTiming& timing,
 
 } // namespace
 
-StraightMotion::StraightMotion(const PlatformGeometry& geometry, const Pose& from, const Pose& to,
+StraightMotion::StraightMotion(const PlatformModel& model, const Pose& from, const Pose& to,
                                const MotionBounds& bounds, PlanTimer* timer)
     : m_from(from), m_to(to), m_displacement(displacement(from, to)) {
     const double length = m_displacement.head<3>().norm();
     const double turn = m_displacement.tail<3>().norm();
-    if (length <= kNoLength * geometry.size() && turn <= kNoLength)
+    if (length <= kNoLength * model.size() && turn <= kNoLength)
         return;
     PathBounds path{std::min(share(bounds.speed, length), share(bounds.angularSpeed, turn)),
                     std::min(share(bounds.acceleration, length), share(bounds.angularAcceleration, turn)),
                     std::min(share(bounds.jerk, length), share(bounds.angularJerk, turn))};
     double legSpeed = kMargin * bounds.legSpeed;
-    const LegSlopes slopes(geometry, from, m_displacement);
+    const LegSlopes slopes(model, from, m_displacement);
     const auto largestRate = [&](double s) { return share(legSpeed, slopes.at(s).cwiseAbs().maxCoeff()); };
     // Where the legs would be accelerated too hard all of the motion is slowed down.
     for (int plan = 0; plan < kReplans; ++plan) {
@@ -93,10 +91,10 @@ StraightMotion::StraightMotion(const PlatformGeometry& geometry, const Pose& fro
     }
 }
 
-std::optional<StraightMotion> StraightMotion::plan(const PlatformGeometry& geometry, const Pose& from,
+std::optional<StraightMotion> StraightMotion::plan(const PlatformModel& model, const Pose& from,
                                                    const Pose& to, const MotionBounds& bounds,
                                                    PlanTimer& timer) {
-    StraightMotion motion(geometry, from, to, bounds, &timer);
+    StraightMotion motion(model, from, to, bounds, &timer);
     return timer.expired() ? std::nullopt : std::optional(std::move(motion));
 }
 

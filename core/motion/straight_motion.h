@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/kinematics/platform_model.h"
 #include "core/motion/path_timing.h"
 #include "core/motion/pose_motion.h"
 
@@ -14,12 +15,11 @@ namespace hexapose {
 class StraightMotion final : public PoseMotion {
 public:
     /// bounds: complete ones. Both poses finite. Of no length: a motion that is over at once.
-    StraightMotion(const PlatformGeometry& geometry, const Pose& from, const Pose& to,
-                   const MotionBounds& bounds)
-        : StraightMotion(geometry, from, to, bounds, nullptr) {}
+    StraightMotion(const PlatformModel& model, const Pose& from, const Pose& to, const MotionBounds& bounds)
+        : StraightMotion(model, from, to, bounds, nullptr) {}
     /// The same, or nothing when the time is up before it is done.
-    static std::optional<StraightMotion> plan(const PlatformGeometry& geometry, const Pose& from,
-                                              const Pose& to, const MotionBounds& bounds, PlanTimer& timer);
+    static std::optional<StraightMotion> plan(const PlatformModel& model, const Pose& from, const Pose& to,
+                                              const MotionBounds& bounds, PlanTimer& timer);
 
     PoseReference at(double seconds) const override;
     double duration() const override { return m_timing ? m_timing->duration() : 0.0; }
@@ -29,8 +29,8 @@ public:
     const Twist& way() const { return m_displacement; } ///< the whole displacement
 
 private:
-    StraightMotion(const PlatformGeometry& geometry, const Pose& from, const Pose& to,
-                   const MotionBounds& bounds, PlanTimer* timer);
+    StraightMotion(const PlatformModel& model, const Pose& from, const Pose& to, const MotionBounds& bounds,
+                   PlanTimer* timer);
 
     Pose m_from;
     Pose m_to;

@@ -10,6 +10,7 @@
 #include "core/kinematics/regression/mpr_newton.h"
 #include "core/kinematics/regression/polynomial_training.h"
 #include "fma_peak.h"
+#include "planning_rows.h"
 #include "ratio_report.h"
 #include "tests/support/vector_unit.h"
 #include "yardstick.h"
@@ -225,6 +226,7 @@ int main(int argc, char** argv) {
     for (const int degree : {2, 3, 4})
         addRegression(sets[1], degree);
     addFiniteSteps(sets[0]);
+    addPlanning(laboratory());
     addPeak();
     addTraining();
     RatioReport report;

@@ -18,7 +18,7 @@
 #include <hexapose/core/geometry/leg_lengths.h>
 #include <hexapose/core/geometry/platform_geometry.h>
 #include <hexapose/core/geometry/pose.h>
-#include <hexapose/core/kinematics/forward_methods.h>
+#include <hexapose/core/kinematics/catalog/forward_methods.h>
 #include <hexapose/core/kinematics/forward_solver.h>
 #include <hexapose/core/kinematics/inverse_kinematics.h>
 #include <hexapose/core/kinematics/jacobian.h>

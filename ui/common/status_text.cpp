@@ -3,7 +3,7 @@
 #include "ui/common/status_text.h"
 
 #include "core/base/units.h"
-#include "core/kinematics/forward_methods.h"
+#include "core/kinematics/catalog/forward_methods.h"
 #include "ui/common/allowed_commands.h"
 
 #include <QCoreApplication>

@@ -8,7 +8,7 @@
 #include "app/cli/reproduce/styles.h"
 #include "core/base/number_text.h"
 #include "core/base/units.h"
-#include "core/kinematics/forward_methods.h"
+#include "core/kinematics/catalog/forward_methods.h"
 
 #include <cmath>
 #include <limits>

@@ -29,20 +29,21 @@ Eigen::Quaterniond turnOf(const Placement& place) {
 
 } // namespace
 
-double HomeSide::partOfHome(const Placement& place) const noexcept {
+double HomeSide::determinantRatio(const Placement& place) const noexcept {
     return m_equations.jacobian(m_equations.evaluate(place, LegEquations::Legs::Zero())).determinant() /
            m_homeDeterminant;
 }
 
-bool HomeSide::joins(const Placement& from, const Placement& to) const noexcept {
+bool HomeSide::isConnected(const Placement& from, const Placement& to) const noexcept {
     const Eigen::Quaterniond first = turnOf(from), last = turnOf(to);
     const auto least = [&](int points) {
-        double smallest = partOfHome(to);
+        double smallest = determinantRatio(to);
         for (int i = 0; i < points && smallest > 0.0; ++i) {
             const double part = static_cast<double>(i) / points;
             const Eigen::Quaterniond q = first.slerp(part, last);
             smallest = std::min(
-                smallest, partOfHome({from.centroid + part * (to.centroid - from.centroid), q.w(), q.vec()}));
+                smallest,
+                determinantRatio({from.centroid + part * (to.centroid - from.centroid), q.w(), q.vec()}));
         }
         return smallest;
     };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/kinematics/newton/newton_iteration.h"
+#include "core/kinematics/leg_equations.h"
 
 #include <optional>
 
@@ -17,10 +17,10 @@ public:
         : m_equations(equations), m_homeDeterminant(homeDeterminant) {}
 
     /// The Jacobian's determinant there as a part of home's: positive on home's side.
-    double partOfHome(const Placement& place) const noexcept;
+    double determinantRatio(const Placement& place) const noexcept;
     /// Whether it keeps home's sign along the straight way: the centroid on a line, the rotation about one
     /// axis.
-    bool joins(const Placement& from, const Placement& to) const noexcept;
+    bool isConnected(const Placement& from, const Placement& to) const noexcept;
     /// Follows the pose while the legs go straight from their lengths at `from` to `target`, in steps that
     /// stay on the side. Nothing where the way meets a singularity. Adds its iterations.
     std::optional<Placement> follow(const Placement& from, const LegEquations::Legs& target, double tolerance,

@@ -7,6 +7,8 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include <utility>
+
 namespace hexapose {
 
 namespace {
@@ -28,26 +30,28 @@ Jacobian publishedJacobian(const PlatformGeometry& geometry, const Pose& pose, L
 
 } // namespace
 
-NewtonAsPublished::NewtonAsPublished(const PlatformGeometry& geometry, const NewtonOptions& options)
-    : m_geometry(geometry), m_equations(geometry),
-      m_tolerance(options.tolerance > 0.0 ? options.tolerance : defaultTolerance(geometry)),
-      m_maxIterations(options.maxIterations), m_homeDeterminant(homeDeterminant(geometry)) {}
+NewtonAsPublished::NewtonAsPublished(SharedModel model, const NewtonOptions& options)
+    : m_model(std::move(model)),
+      m_tolerance(options.tolerance > 0.0 ? options.tolerance : defaultTolerance(m_model->geometry())),
+      m_maxIterations(options.maxIterations) {}
 
 ForwardResult NewtonAsPublished::solve(const LegLengths& lengths, const Pose& start) const noexcept {
-    if (!areLengths(lengths) || !start.isFinite())
-        return withoutPose(SolveStatus::InvalidInput, 0, kNoNumber);
-    const LegEquations::Legs target = m_equations.scaled(lengths);
-    if (m_equations.areUnreachable(target, m_tolerance / m_equations.size()))
-        return withoutPose(SolveStatus::NoSolution, 0, kNoNumber);
+    if (!areValidLengths(lengths) || !start.isFinite())
+        return failure(SolveStatus::InvalidInput, 0, kNoNumber);
+    const LegEquations& equations = m_model->equations();
+    const double homeDeterminant = m_model->homeDeterminant();
+    const LegEquations::Legs target = equations.scaled(lengths);
+    if (equations.areUnreachable(target, m_tolerance / equations.size()))
+        return failure(SolveStatus::NoSolution, 0, kNoNumber);
 
     ForwardResult result{start, SolveStatus::IterationLimit, 0, kNoNumber, false};
-    if (m_homeDeterminant == 0.0)
+    if (homeDeterminant == 0.0)
         result.status = SolveStatus::Singular;
     PoseVector coordinates = start.toVector();
     while (result.status == SolveStatus::IterationLimit && result.iterations < m_maxIterations) {
         LegLengths reached;
         const Pose pose = Pose::fromVector(coordinates);
-        const Jacobian J = publishedJacobian(m_geometry, pose, reached);
+        const Jacobian J = publishedJacobian(m_model->geometry(), pose, reached);
         const LegLengths error = lengths - reached;
         const PoseVector next = coordinates + Eigen::PartialPivLU<Jacobian>(J).solve(error);
         if (!next.allFinite()) {
@@ -60,11 +64,11 @@ ForwardResult NewtonAsPublished::solve(const LegLengths& lengths, const Pose& st
             result.status = SolveStatus::Converged;
     }
     result.pose = normalised(Pose::fromVector(coordinates));
-    result.residual = legResidual(m_geometry, lengths, result.pose);
+    result.residual = legResidual(m_model->geometry(), lengths, result.pose);
     result.accurate = result.residual <= m_tolerance;
     if (result.status == SolveStatus::Converged) {
-        const auto end = m_equations.evaluate(m_equations.placementOf(result.pose), target);
-        result.status = branchStatus(m_equations.branchSign(end, kSingularValueFloor), m_homeDeterminant);
+        const auto end = equations.evaluate(equations.placementOf(result.pose), target);
+        result.status = branchStatus(equations.branchSign(end, kSingularValueFloor), homeDeterminant);
     }
     return result;
 }

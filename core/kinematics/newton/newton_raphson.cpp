@@ -5,8 +5,8 @@
 #include "core/base/units.h"
 #include "core/kinematics/newton/home_side.h"
 #include "core/kinematics/pose_samples.h"
-#include "core/kinematics/singularity.h"
 #include "core/kinematics/solver_checks.h"
+#include "core/kinematics/vector/lane_machine.h"
 #include "core/kinematics/vector/parallel_lanes.h"
 
 #include <algorithm>
@@ -64,16 +64,11 @@ double defaultTolerance(const PlatformGeometry& geometry) {
     return kRelativeTolerance * geometry.size();
 }
 
-double homeDeterminant(const PlatformGeometry& geometry) {
-    const SingularityMeasure home = singularityMeasure(geometry, Pose{});
-    return home.smallestSingularValue > kSingularValueFloor ? home.determinant : 0.0;
-}
-
-NewtonRaphson::NewtonRaphson(const PlatformGeometry& geometry, const NewtonOptions& options)
-    : m_equations(geometry),
-      m_tolerance(options.tolerance > 0.0 ? options.tolerance : defaultTolerance(geometry)),
-      m_maxIterations(options.maxIterations), m_homeDeterminant(homeDeterminant(geometry)),
-      m_lanes(m_equations.laneMachine(m_homeDeterminant)) {}
+NewtonRaphson::NewtonRaphson(SharedModel model, const NewtonOptions& options)
+    : m_model(std::move(model)),
+      m_tolerance(options.tolerance > 0.0 ? options.tolerance : defaultTolerance(m_model->geometry())),
+      m_maxIterations(options.maxIterations), m_homeDeterminant(m_model->homeDeterminant()),
+      m_lanes(makeLaneMachine(equations(), m_homeDeterminant)) {}
 
 ForwardResult NewtonRaphson::solve(const LegLengths& lengths, const Pose& start) const noexcept {
     double unused = 0.0;
@@ -90,35 +85,35 @@ ForwardResult NewtonRaphson::solve(const LegLengths& lengths, const Pose& start,
     LaneSolution found;
     solveLane(m_lanes, lengths, start, m_tolerance, m_maxIterations, found);
     startResidual = found.startResidual;
-    if (!found.solved || found.residual > kLooseResidual * m_equations.size())
+    if (!found.solved || found.residual > kLooseResidual * m_lanes.size)
         return solveCarefully(lengths, start);
-    if (found.clear)
+    if (found.certified)
         return {found.pose, SolveStatus::Converged, found.iterations, found.residual, true};
     NewtonRun run;
     const Eigen::Vector4d q = Eigen::Vector4d::Map(found.rotation.data()).normalized();
     run.placement = {Eigen::Vector3d::Map(found.centroid.data()), q[0], q.tail<3>()};
-    const LegEquations::Legs target = m_equations.scaled(lengths);
-    run.evaluation = m_equations.evaluate(run.placement, target);
-    run.evaluation.residual = found.residual / m_equations.size();
+    const LegEquations::Legs target = equations().scaled(lengths);
+    run.evaluation = equations().evaluate(run.placement, target);
+    run.evaluation.residual = found.residual / equations().size();
     run.end = NewtonEnd::Solved;
-    return judged(run, found.iterations, m_equations.placementOf(start), target);
+    return judged(run, found.iterations, equations().placementOf(start), target);
 }
 
 ForwardResult NewtonRaphson::solveCarefully(const LegLengths& lengths, const Pose& start) const noexcept {
-    if (!areLengths(lengths) || !start.isFinite())
-        return withoutPose(SolveStatus::InvalidInput, 0, kNoNumber);
-    const LegEquations::Legs target = m_equations.scaled(lengths);
-    const double tolerance = m_tolerance / m_equations.size();
-    if (m_equations.areUnreachable(target, tolerance))
-        return withoutPose(SolveStatus::NoSolution, 0, kNoNumber);
-    const Placement from = m_equations.placementOf(start);
+    if (!areValidLengths(lengths) || !start.isFinite())
+        return failure(SolveStatus::InvalidInput, 0, kNoNumber);
+    const LegEquations::Legs target = equations().scaled(lengths);
+    const double tolerance = m_tolerance / equations().size();
+    if (equations().areUnreachable(target, tolerance))
+        return failure(SolveStatus::NoSolution, 0, kNoNumber);
+    const Placement from = equations().placementOf(start);
     if (m_homeDeterminant == 0.0) {
-        const double residual = m_equations.evaluate(from, target).residual * m_equations.size();
+        const double residual = equations().evaluate(from, target).residual * equations().size();
         return {normalised(start), SolveStatus::Singular, 0, residual, residual <= m_tolerance};
     }
 
     const auto attempt = [&](const Placement& place, StepGuard guard) {
-        return runNewton(m_equations, target, place, tolerance, m_maxIterations, guard);
+        return runNewton(equations(), target, place, tolerance, m_maxIterations, guard);
     };
     NewtonRun run = attempt(from, StepGuard::Shorten);
     int iterations = run.iterations;
@@ -133,60 +128,61 @@ ForwardResult NewtonRaphson::solveCarefully(const LegLengths& lengths, const Pos
             return other.end == NewtonEnd::Solved;
         };
         bool found = takes(from, StepGuard::None);
-        PoseSamples drawn(kDrawnOffset * m_equations.size(), kDrawnAngle, kDrawnSeed, 0);
+        PoseSamples drawn(kDrawnOffset * equations().size(), kDrawnAngle, kDrawnSeed, 0);
         for (int i = 0; i <= kTurns + kDrawn && !found; ++i) {
             PoseVector other = PoseVector::Zero();
             if (i > kTurns)
                 other = drawn.next().toVector();
             else if (i > 0)
                 other[3 + (i - 1) / 2] = i % 2 == 1 ? kTurn : -kTurn;
-            const Placement place = m_equations.placementOf(Pose::fromVector(other));
+            const Placement place = equations().placementOf(Pose::fromVector(other));
             found = takes(place, StepGuard::Shorten) || takes(place, StepGuard::None);
         }
     }
     return judged(run, iterations, from, target);
 }
 
-bool NewtonRaphson::isNear(const Pose& pose, double partOfHome) const noexcept {
+bool NewtonRaphson::isNear(const Pose& pose, double ratio) const noexcept {
     const PoseVector at = pose.toVector().cwiseAbs();
-    return partOfHome * std::abs(m_homeDeterminant) > m_lanes.leastDeterminant &&
+    return ratio * std::abs(m_homeDeterminant) > m_lanes.leastDeterminant &&
            at.head<3>().maxCoeff() <= m_lanes.offsetBox && at.tail<3>().maxCoeff() <= m_lanes.angleBox;
 }
 
 ForwardResult NewtonRaphson::judged(const NewtonRun& run, int iterations, const Placement& start,
                                     const LegEquations::Legs& target) const noexcept {
-    const double residual = run.evaluation.residual * m_equations.size();
-    ForwardResult result{m_equations.poseOf(run.placement), statusOf(run.end), iterations, residual,
+    const double residual = run.evaluation.residual * equations().size();
+    ForwardResult result{equations().poseOf(run.placement), statusOf(run.end), iterations, residual,
                          run.end == NewtonEnd::Solved};
     if (run.end == NewtonEnd::Limit)
         return result;
-    const HomeSide side(m_equations, m_homeDeterminant);
-    const Placement home = m_equations.placementOf(Pose{});
-    const bool startOnSide = side.partOfHome(start) > 0.0;
+    const HomeSide side(equations(), m_homeDeterminant);
+    const Placement home = equations().placementOf(Pose{});
+    const bool startOnSide = side.determinantRatio(start) > 0.0;
     if (run.end == NewtonEnd::Solved) {
-        const double sign = branchSign(m_equations, run);
+        const double sign = branchSign(equations(), run);
         result.status = branchStatus(sign, m_homeDeterminant);
         if (result.status == SolveStatus::Singular)
             return result;
         if (result.status == SolveStatus::Converged &&
-            (isNear(result.pose, side.partOfHome(run.placement)) ||
-             (startOnSide && side.joins(start, run.placement)) || side.joins(home, run.placement)))
+            (isNear(result.pose, side.determinantRatio(run.placement)) ||
+             (startOnSide && side.isConnected(start, run.placement)) ||
+             side.isConnected(home, run.placement)))
             return result;
         result.status = SolveStatus::OtherBranch;
     }
     if (!startOnSide) // who starts there asks about that side
         return result.status == SolveStatus::NoSolution
-                   ? withoutPose(SolveStatus::NoSolution, iterations, residual)
+                   ? failure(SolveStatus::NoSolution, iterations, residual)
                    : result;
     for (const Placement* from : {&start, &home}) {
-        const auto end = side.follow(*from, target, m_tolerance / m_equations.size(), result.iterations);
+        const auto end = side.follow(*from, target, m_tolerance / equations().size(), result.iterations);
         if (!end)
             continue;
-        const double left = m_equations.evaluate(*end, target).residual * m_equations.size();
-        return {m_equations.poseOf(*end), SolveStatus::Converged, result.iterations, left, true};
+        const double left = equations().evaluate(*end, target).residual * equations().size();
+        return {equations().poseOf(*end), SolveStatus::Converged, result.iterations, left, true};
     }
     if (result.status == SolveStatus::NoSolution)
-        return withoutPose(SolveStatus::NoSolution, result.iterations, residual);
+        return failure(SolveStatus::NoSolution, result.iterations, residual);
     return result;
 }
 
@@ -199,17 +195,17 @@ void NewtonRaphson::solveRange(std::span<const LegLengths> lengths,
         solveLanes(m_lanes, lengths.data() + first, count, m_tolerance, m_maxIterations, blocks.data());
         for (std::size_t row = 0; row < count; row += lanes) {
             const std::size_t here = first + row, rows = std::min(lanes, count - row);
-            takeOut(blocks[row / lanes], lengths.subspan(here, rows), results.subspan(here, rows));
+            unpack(blocks[row / lanes], lengths.subspan(here, rows), results.subspan(here, rows));
         }
     }
 }
 
-void NewtonRaphson::takeOut(const LaneBlock& block, std::span<const LegLengths> lengths,
-                            std::span<ForwardResult> results) const noexcept {
-    const double loose = kLooseResidual * m_equations.size();
+void NewtonRaphson::unpack(const LaneBlock& block, std::span<const LegLengths> lengths,
+                           std::span<ForwardResult> results) const noexcept {
+    const double loose = kLooseResidual * m_lanes.size;
     for (std::size_t i = 0; i < results.size(); ++i) {
         ForwardResult& result = results[i];
-        if (!block.clear[i] || block.residual[i] > loose) {
+        if (!block.certified[i] || block.residual[i] > loose) {
             result = solve(lengths[i], Pose{});
             continue;
         }

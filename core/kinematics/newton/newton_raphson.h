@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/geometry/platform_geometry.h"
 #include "core/kinematics/forward_solver.h"
-#include "core/kinematics/leg_equations.h"
 #include "core/kinematics/newton/newton_iteration.h"
+#include "core/kinematics/platform_model.h"
+#include "core/kinematics/vector/newton_lanes.h"
 
 #include <span>
 
@@ -19,14 +19,6 @@ struct NewtonOptions {
 
 /// 1e-10 m for the laboratory platform, in proportion to the machine's size for any other.
 double defaultTolerance(const PlatformGeometry& geometry);
-
-/// Determinant of the scaled Jacobian at home, whose sign tells the branch; 0 for a machine that is singular
-/// there.
-double homeDeterminant(const PlatformGeometry& geometry);
-
-/// Smallest singular value of the scaled Jacobian (see singularity.h) below which a pose counts as singular:
-/// there a leg error is magnified ten thousand times, and the lengths no longer tell the pose.
-inline constexpr double kSingularValueFloor = 1e-4;
 
 /// Newton-Raphson with the exact derivative (Eq. 14 on rotations instead of Euler angles, so that gimbal lock
 /// is no obstacle), the stop test before the update. Quadratic. Plain steps first, on the processor's vector
@@ -42,8 +34,10 @@ inline constexpr double kSingularValueFloor = 1e-4;
 /// all attempts, and only one run is bound by the limit.
 class NewtonRaphson final : public ForwardSolver {
 public:
-    /// geometry: one that validate() accepts; it is not kept.
-    NewtonRaphson(const PlatformGeometry& geometry, const NewtonOptions& options);
+    NewtonRaphson(SharedModel model, const NewtonOptions& options);
+    /// geometry: one that validate() accepts.
+    NewtonRaphson(const PlatformGeometry& geometry, const NewtonOptions& options)
+        : NewtonRaphson(makeModel(geometry), options) {}
     ForwardResult solve(const LegLengths& lengths, const Pose& start) const noexcept override;
     /// The same, and the residual at `start`, m, which the first step finds by the way: to some per cent
     /// where it is a tenth of the lengths, and no less than half of it anywhere. Infinity where no step was
@@ -63,15 +57,17 @@ private:
     ForwardResult solveCarefully(const LegLengths& lengths, const Pose& start) const noexcept;
     ForwardResult judged(const NewtonRun& run, int iterations, const Placement& start,
                          const LegEquations::Legs& target) const noexcept;
-    bool isNear(const Pose& pose, double partOfHome) const noexcept;
+    bool isNear(const Pose& pose, double ratio) const noexcept;
     void solveRange(std::span<const LegLengths> lengths, std::span<ForwardResult> results) const noexcept;
-    void takeOut(const LaneBlock& block, std::span<const LegLengths> lengths,
-                 std::span<ForwardResult> results) const noexcept;
+    void unpack(const LaneBlock& block, std::span<const LegLengths> lengths,
+                std::span<ForwardResult> results) const noexcept;
 
-    LegEquations m_equations;
+    const LegEquations& equations() const noexcept { return m_model->equations(); }
+
+    SharedModel m_model;
     double m_tolerance;
     int m_maxIterations;
-    double m_homeDeterminant; ///< 0: singular at home
+    double m_homeDeterminant; ///< of the model, near at hand
     LaneMachine m_lanes;
 };
 
@@ -81,16 +77,16 @@ private:
 /// NoSolution only by the triangle inequalities.
 class NewtonAsPublished final : public ForwardSolver {
 public:
-    NewtonAsPublished(const PlatformGeometry& geometry, const NewtonOptions& options);
+    NewtonAsPublished(SharedModel model, const NewtonOptions& options);
+    NewtonAsPublished(const PlatformGeometry& geometry, const NewtonOptions& options)
+        : NewtonAsPublished(makeModel(geometry), options) {}
     ForwardResult solve(const LegLengths& lengths, const Pose& start) const noexcept override;
     std::string_view name() const noexcept override { return "newton-as-published"; }
 
 private:
-    PlatformGeometry m_geometry;
-    LegEquations m_equations;
+    SharedModel m_model;
     double m_tolerance;
     int m_maxIterations;
-    double m_homeDeterminant; ///< 0: singular at home
 };
 
 } // namespace hexapose

@@ -34,30 +34,29 @@ std::string methodName(const PolynomialModel& model, const char* ending) {
 
 } // namespace
 
-PolynomialRegression::PolynomialRegression(const PlatformGeometry& geometry, PolynomialModel model)
-    : m_geometry(geometry), m_model(std::move(model)), m_name(methodName(m_model, "")) {}
+PolynomialRegression::PolynomialRegression(SharedModel platform, PolynomialModel model)
+    : m_platform(std::move(platform)), m_model(std::move(model)), m_name(methodName(m_model, "")) {}
 
 ForwardResult PolynomialRegression::solve(const LegLengths& lengths, const Pose&) const noexcept {
-    if (!areLengths(lengths))
-        return withoutPose(SolveStatus::InvalidInput, 0, kNoNumber);
+    if (!areValidLengths(lengths))
+        return failure(SolveStatus::InvalidInput, 0, kNoNumber);
     const PoseVector found = m_model.evaluate(lengths);
     if (!found.allFinite()) // lengths so far out that the polynomial overflows
-        return withoutPose(SolveStatus::OutsideModel, 0, kNoNumber);
+        return failure(SolveStatus::OutsideModel, 0, kNoNumber);
     const Pose pose = Pose::fromVector(found);
-    const double residual = legResidual(m_geometry, lengths, pose);
+    const double residual = legResidual(m_platform->geometry(), lengths, pose);
     const bool inside =
         isInside(m_model, lengths, found) && residual <= kResidualFactor * m_model.maxResidual;
     return {normalised(pose), inside ? SolveStatus::Converged : SolveStatus::OutsideModel, 0, residual,
             inside};
 }
 
-MprNewton::MprNewton(const PlatformGeometry& geometry, PolynomialModel model, const NewtonOptions& options)
-    : m_geometry(geometry), m_model(std::move(model)), m_newton(geometry, options),
-      m_name(methodName(m_model, "-nr")) {}
+MprNewton::MprNewton(SharedModel platform, PolynomialModel model, const NewtonOptions& options)
+    : m_model(std::move(model)), m_newton(std::move(platform), options), m_name(methodName(m_model, "-nr")) {}
 
 ForwardResult MprNewton::solve(const LegLengths& lengths, const Pose& start) const noexcept {
-    if (!areLengths(lengths) || !start.isFinite())
-        return withoutPose(SolveStatus::InvalidInput, 0, kNoNumber);
+    if (!areValidLengths(lengths) || !start.isFinite())
+        return failure(SolveStatus::InvalidInput, 0, kNoNumber);
     const PoseVector found = m_model.evaluate(lengths);
     ForwardResult result;
     int iterations = 0;

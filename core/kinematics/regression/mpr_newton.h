@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/geometry/platform_geometry.h"
 #include "core/kinematics/newton/newton_raphson.h"
 #include "core/kinematics/regression/polynomial_model.h"
 
 #include <string>
+#include <utility>
 
 namespace hexapose {
 
@@ -15,12 +15,14 @@ namespace hexapose {
 class PolynomialRegression final : public ForwardSolver {
 public:
     /// The model must be one of this geometry, trained or loaded; makeForwardSolver() checks that.
-    PolynomialRegression(const PlatformGeometry& geometry, PolynomialModel model);
+    PolynomialRegression(SharedModel platform, PolynomialModel model);
+    PolynomialRegression(const PlatformGeometry& geometry, PolynomialModel model)
+        : PolynomialRegression(makeModel(geometry), std::move(model)) {}
     ForwardResult solve(const LegLengths& lengths, const Pose& start) const noexcept override;
     std::string_view name() const noexcept override { return m_name; }
 
 private:
-    PlatformGeometry m_geometry;
+    SharedModel m_platform;
     PolynomialModel m_model;
     std::string m_name;
 };
@@ -31,12 +33,13 @@ private:
 class MprNewton final : public ForwardSolver {
 public:
     /// The model as in PolynomialRegression.
-    MprNewton(const PlatformGeometry& geometry, PolynomialModel model, const NewtonOptions& options);
+    MprNewton(SharedModel platform, PolynomialModel model, const NewtonOptions& options);
+    MprNewton(const PlatformGeometry& geometry, PolynomialModel model, const NewtonOptions& options)
+        : MprNewton(makeModel(geometry), std::move(model), options) {}
     ForwardResult solve(const LegLengths& lengths, const Pose& start) const noexcept override;
     std::string_view name() const noexcept override { return m_name; }
 
 private:
-    PlatformGeometry m_geometry;
     PolynomialModel m_model;
     NewtonRaphson m_newton;
     std::string m_name;

@@ -35,11 +35,11 @@ double rounded(double value) {
     return parseNumber({text.data(), end}).value_or(value);
 }
 
-bool isTrainable(const PlatformGeometry& geometry, const TrainingSpec& spec, double homeDeterminant) {
+bool isTrainable(const PlatformModel& platform, const TrainingSpec& spec) {
     PoseSamples samples(spec.offsetRange, spec.angleRange, kProbeSeed, 0);
     for (int i = 0; i < kProbes; ++i) {
-        const SingularityMeasure measure = singularityMeasure(geometry, samples.next());
-        if (!(measure.determinant * homeDeterminant > 0.0) ||
+        const SingularityMeasure measure = platform.singularity(samples.next());
+        if (!(platform.ratioOf(measure.determinant) > 0.0) ||
             !(measure.smallestSingularValue > kTrainableSingularValue))
             return false;
     }
@@ -91,8 +91,8 @@ std::string specFingerprint(const TrainingSpec& spec) {
 }
 
 TrainingSpec defaultTrainingSpec(const PlatformGeometry& geometry, int degree) {
-    const double home = homeDeterminant(geometry);
-    if (home == 0.0)
+    const PlatformModel platform(geometry);
+    if (platform.homeDeterminant() == 0.0)
         throw InputError("platform \"" + geometry.name + "\"",
                          faultOfHome(geometry).value_or("its geometry is singular at home"));
     TrainingSpec spec;
@@ -100,7 +100,7 @@ TrainingSpec defaultTrainingSpec(const PlatformGeometry& geometry, int degree) {
     spec.offsetRange = rounded(geometry.size() * 2.0 / 15.0); // 40 mm of 300
     spec.angleRange = radiansFromDeg(40.0);
     for (int i = 0; i < kMostHalvings; ++i) {
-        if (isTrainable(geometry, spec, home))
+        if (isTrainable(platform, spec))
             return spec;
         spec.offsetRange /= 2.0;
         spec.angleRange /= 2.0;

@@ -200,7 +200,7 @@ private:
 
 std::optional<PolynomialModel> trainModel(const PlatformGeometry& geometry, const TrainingSpec& spec,
                                           const TrainingProgress& progress, unsigned threads) {
-    if (homeDeterminant(geometry) == 0.0)
+    if (PlatformModel(geometry).homeDeterminant() == 0.0)
         refuse("the geometry is singular at home");
     const TrainingSpec complete = withDefaults(spec, geometry);
     checkSpec(complete);

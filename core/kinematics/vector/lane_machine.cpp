@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: MIT
+#include "core/kinematics/vector/lane_machine.h"
+
 #include "core/base/units.h"
-#include "core/kinematics/leg_equations.h"
 #include "core/kinematics/pose_samples.h"
 
 #include <Eigen/Geometry>
@@ -68,28 +69,32 @@ double parity(const std::array<int, kLegCount>& order) {
 
 } // namespace
 
-LaneMachine LegEquations::laneMachine(double homeDeterminant) const {
+LaneMachine makeLaneMachine(const LegEquations& equations, double homeDeterminant) {
+    using Legs = LegEquations::Legs;
+    using Matrix = LegEquations::Matrix;
     LaneMachine machine;
-    machine.size = m_size;
-    machine.spread = m_spread;
-    Placement home{m_home + m_centroidInP, 1.0, Eigen::Vector3d::Zero()};
-    const Evaluation at = evaluate(home, Legs::Zero());
+    machine.size = equations.size();
+    machine.spread = equations.spread();
+    const Placement home{equations.home() + equations.centroidInP(), 1.0, Eigen::Vector3d::Zero()};
+    const LegEquations::Evaluation at = equations.evaluate(home, Legs::Zero());
     std::array<Eigen::Vector3d, kLegCount> legs;
     for (int i = 0; i < kLegCount; ++i)
         legs[static_cast<std::size_t>(i)] = {at.dx[i], at.dy[i], at.dz[i]};
     machine.order = eliminationOrder(legs);
 
-    Matrix J = jacobian(at);
-    J.rightCols<3>() *= m_spread; // the vector code steps by plain rotation vectors
+    Matrix J = equations.jacobian(at);
+    J.rightCols<3>() *= machine.spread; // the vector code steps by plain rotation vectors
     const Matrix inverse = homeDeterminant != 0.0 ? J.inverse().eval() : Matrix::Zero().eval();
-    const Eigen::Vector3d centre(m_ax.mean(), m_ay.mean(), m_az.mean());
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+    for (int leg = 0; leg < kLegCount; ++leg)
+        centre += equations.base(leg);
+    centre /= kLegCount;
     for (std::size_t place = 0; place < kLegCount; ++place) {
         const int leg = machine.order[place];
-        const double base[] = {m_ax[leg] - centre[0], m_ay[leg] - centre[1], m_az[leg] - centre[2]},
-                     joint[] = {m_bx[leg], m_by[leg], m_bz[leg]};
-        for (std::size_t k = 0; k < 3; ++k) {
-            machine.base[k][placeInMemory(place)] = base[k];
-            machine.joint[k][placeInMemory(place)] = joint[k];
+        const Eigen::Vector3d base = equations.base(leg) - centre, joint = equations.joint(leg);
+        for (int k = 0; k < 3; ++k) {
+            machine.base[static_cast<std::size_t>(k)][placeInMemory(place)] = base[k];
+            machine.joint[static_cast<std::size_t>(k)][placeInMemory(place)] = joint[k];
         }
         machine.homeLength[placeInMemory(place)] = at.length[leg];
         for (std::size_t k = 0; k < kLegCount; ++k)
@@ -101,10 +106,10 @@ LaneMachine LegEquations::laneMachine(double homeDeterminant) const {
     repeatLast(machine.homeLength);
     for (int k = 0; k < 3; ++k) {
         machine.baseCentroid[static_cast<std::size_t>(k)] = centre[k];
-        machine.homeOrigin[static_cast<std::size_t>(k)] = m_home[k] - centre[k];
-        machine.centroidInP[static_cast<std::size_t>(k)] = m_centroidInP[k];
+        machine.homeOrigin[static_cast<std::size_t>(k)] = equations.home()[k] - centre[k];
+        machine.centroidInP[static_cast<std::size_t>(k)] = equations.centroidInP()[k];
     }
-    const double volume = std::pow(m_spread, 3);
+    const double volume = std::pow(machine.spread, 3);
     const double sign = parity(machine.order);
     machine.determinantScale = std::copysign(1.0, homeDeterminant) * sign / volume;
     machine.homeDeterminant = homeDeterminant * sign * volume * at.length.prod();
@@ -119,7 +124,7 @@ LaneMachine LegEquations::laneMachine(double homeDeterminant) const {
         bool gone = false;
         double before = 1.0;
         const double look =
-            std::hypot(end.head<3>().norm() / m_size, end.tail<3>().norm() * m_spread) / kLooks;
+            std::hypot(end.head<3>().norm() / machine.size, end.tail<3>().norm() * machine.spread) / kLooks;
         for (const double determinant : determinants) {
             const double part = determinant / std::abs(homeDeterminant);
             slope = std::max(slope, std::abs(part - before) / look);
@@ -132,7 +137,7 @@ LaneMachine LegEquations::laneMachine(double homeDeterminant) const {
     };
     double scale = 1.0;
     for (int box = 0; box < kMostBoxes; ++box, scale *= kNextBox) {
-        const double offset = scale * kOffsetBox * m_size, angle = scale * kAngleBox;
+        const double offset = scale * kOffsetBox * machine.size, angle = scale * kAngleBox;
         bool good = true;
         slope = 0.0;
         for (int corner = 0; good && corner < 1 << 6; ++corner) {

@@ -77,11 +77,11 @@ void solveOne(const LaneMachine& machine, const LegLengths& lengths, const Pose&
     const N::Found found = N::found(machine, run.place, run.rotation);
     N::store(found, solution.pose);
     solution.solved = hn::AllTrue(N::D(), run.solved);
-    solution.clear = hn::AllTrue(N::D(), N::clear(machine, run, found));
+    solution.certified = hn::AllTrue(N::D(), N::clear(machine, run, found));
     solution.residual = hn::GetLane(hn::Sqrt(run.residual2)) * machine.size;
     solution.startResidual = hn::GetLane(hn::Sqrt(run.startResidual2)) * machine.size;
     solution.iterations = run.steps;
-    if (solution.clear)
+    if (solution.certified)
         return;
     for (std::size_t k = 0; k < 3; ++k)
         solution.centroid[k] = hn::GetLane(run.place.c[k]) + machine.baseCentroid[k];
@@ -134,7 +134,7 @@ HWY_INLINE void close(const LaneMachine& machine, const Batch::Run& run, LaneBlo
     alignas(64) LaneBlock::Lanes flags;
     hn::Store(hn::IfThenElseZero(N::clear(machine, run, found), N::set(1.0)), Many(), flags.data());
     for (std::size_t i = 0; i < hn::Lanes(Many()); ++i)
-        block.clear[i] = flags[i] != 0.0;
+        block.certified[i] = flags[i] != 0.0;
 }
 
 /// Two groups take their steps in turn: what one waits for, the other fills.

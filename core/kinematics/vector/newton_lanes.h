@@ -41,17 +41,17 @@ constexpr std::size_t placeInMemory(std::size_t place) {
     return place + place / 3;
 }
 
-/// Where plain Newton steps led. What is not `solved` needs another way; what is not `clear` too: the pose is
-/// outside the box, near gimbal lock, or its side is not certain.
+/// Where plain Newton steps led. What is not `solved` needs another way; what is not `certified` too: the
+/// pose is outside the box, near gimbal lock, or its side is not certain.
 struct LaneSolution {
     Pose pose;
-    std::array<double, 3> centroid; ///< machine sizes; only of what is not clear, as the next
+    std::array<double, 3> centroid; ///< machine sizes; only of what is not certified, as the next
     std::array<double, 4> rotation; ///< w x y z, not of unit length
     double residual;                ///< m; see kLooseResidual
     double startResidual;           ///< at the start, m; the same
     int iterations;
     bool solved;
-    bool clear;
+    bool certified;
 };
 
 /// Residuals of the vector code are of (l^2 - |d|^2) / 2l, which needs no root. Up to this part of the
@@ -69,7 +69,7 @@ struct LaneBlock {
     using Lanes = std::array<double, kMostLanes>;
     alignas(64) std::array<Lanes, 6> pose;
     alignas(64) Lanes residual, iterations;
-    std::array<bool, kMostLanes> clear; ///< solved and certain
+    std::array<bool, kMostLanes> certified; ///< solved and certain
 };
 /// How many at once on this processor.
 std::size_t laneCount() noexcept;

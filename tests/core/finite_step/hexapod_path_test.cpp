@@ -140,7 +140,7 @@ TEST(LegPath, StopsAtEveryFoldAndSeldomElsewhere) {
     const PlatformGeometry machine = laboratoryAtJoints();
     const LegPath path(machine);
     const LegEquations equations(machine);
-    const HomeSide side(equations, homeDeterminant(machine));
+    const HomeSide side(equations, PlatformModel(machine).homeDeterminant());
     const LegLengths home = machine.homeLengths();
     int folds = 0, clean = 0;
     std::array<int, 3> alarms{};

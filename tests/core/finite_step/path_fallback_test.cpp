@@ -102,7 +102,7 @@ TEST(PathFallback, FollowsNoPathAcrossASingularPose) {
     EXPECT_EQ(behind.path->step, 0);
 }
 
-double partOfHome(const PlatformGeometry& machine, const Pose& pose) {
+double determinantRatio(const PlatformGeometry& machine, const Pose& pose) {
     return singularityMeasure(machine, pose).determinant / singularityMeasure(machine, Pose{}).determinant;
 }
 
@@ -127,7 +127,7 @@ Sample take(const PlatformGeometry& machine, const PathFallback& whole, const Mp
         const Pose truth = poses.next();
         const Pose near = Pose::fromVector(truth.toVector() + steps.next().toVector());
         const Pose start = nearMm > 0.0 ? near : Pose{};
-        if (!(partOfHome(machine, truth) > 0.0 && partOfHome(machine, start) > 0.0))
+        if (!(determinantRatio(machine, truth) > 0.0 && determinantRatio(machine, start) > 0.0))
             continue;
         const auto note = [&](const ForwardResult& result, Count& count) {
             const bool right = distance(machine, result.pose, truth) < 1e-6;
@@ -182,7 +182,7 @@ TEST(PathFallback, OnlyMprNewtonGetsOne) {
     const auto solver = std::make_shared<NewtonRaphson>(machine, NewtonOptions{});
     for (const ForwardMethod& method : forwardMethods()) {
         const bool mprNewton = method.word == "mpr2-nr" || method.word == "mpr3-nr";
-        EXPECT_EQ(withPathFallback(method, machine, solver) == solver, !mprNewton) << method.word;
+        EXPECT_EQ(withPathFallback(method, makeModel(machine), solver) == solver, !mprNewton) << method.word;
     }
 }
 

@@ -4,7 +4,7 @@
 #include "core/finite_step/finite_step_solver.h"
 #include "core/finite_step/node_path.h"
 #include "core/finite_step/path_fallback.h"
-#include "core/kinematics/forward_methods.h"
+#include "core/kinematics/catalog/forward_methods.h"
 #include "core/kinematics/regression/mpr_newton.h"
 #include "test_machines.h"
 

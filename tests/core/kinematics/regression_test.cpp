@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: MIT
-#include "core/kinematics/forward_methods.h"
+#include "core/kinematics/catalog/forward_methods.h"
 #include "core/kinematics/regression/mpr_newton.h"
 #include "core/kinematics/regression/polynomial_basis.h"
 #include "core/kinematics/regression/polynomial_training.h"

@@ -16,7 +16,7 @@ namespace {
 
 using testing_support::samples;
 
-double partOfHome(const PlatformGeometry& machine, const Pose& pose) {
+double determinantRatio(const PlatformGeometry& machine, const Pose& pose) {
     return singularityMeasure(machine, pose).determinant / singularityMeasure(machine, Pose{}).determinant;
 }
 
@@ -27,7 +27,7 @@ bool isStraightWayFree(const PlatformGeometry& machine, const Pose& pose) {
     for (int i = 0; i <= 400; ++i) {
         const double part = i / 400.0;
         const Eigen::Matrix3d R = Eigen::AngleAxisd(part * turn.angle(), turn.axis()).toRotationMatrix();
-        if (!(partOfHome(machine, {part * pose.offset, eulerAngles(R)}) > 0.0))
+        if (!(determinantRatio(machine, {part * pose.offset, eulerAngles(R)}) > 0.0))
             return false;
     }
     return true;
@@ -41,7 +41,7 @@ bool isWayOfTheLegsFree(const PlatformGeometry& machine, const Pose& pose) {
         const LegLengths target = first + (last - first) * (i / 2000.0);
         for (int k = 0; k < 4; ++k) {
             const Pose at = Pose::fromVector(x);
-            if (!(partOfHome(machine, at) > 0.0))
+            if (!(determinantRatio(machine, at) > 0.0))
                 return false;
             x += analyticJacobian(machine, at).partialPivLu().solve(target - legLengths(machine, at));
         }
@@ -83,7 +83,7 @@ TEST(Side, WidePosesAreRightOrSaySoOrAreJoinedToHome) {
             const Pose truth = poses.next();
             const ForwardResult result = newton.solve(legLengths(machine, truth), Pose{});
             const bool found = result.isUsable() && distance(machine, result.pose, truth) < 1e-6;
-            if (partOfHome(machine, truth) > 0.0) {
+            if (determinantRatio(machine, truth) > 0.0) {
                 ++onSide;
                 right += found;
             }
@@ -91,7 +91,7 @@ TEST(Side, WidePosesAreRightOrSaySoOrAreJoinedToHome) {
                 EXPECT_NE(result.status, SolveStatus::Converged);
                 continue;
             }
-            EXPECT_GT(partOfHome(machine, result.pose), 0.0);
+            EXPECT_GT(determinantRatio(machine, result.pose), 0.0);
             if (!found) {
                 EXPECT_TRUE(isStraightWayFree(machine, result.pose) ||
                             isWayOfTheLegsFree(machine, result.pose))

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: MIT
 // What every forward solver owes, on several machines.
-#include "core/kinematics/forward_methods.h"
+#include "core/kinematics/catalog/forward_methods.h"
 #include "core/kinematics/newton/newton_raphson.h"
 #include "test_machines.h"
 

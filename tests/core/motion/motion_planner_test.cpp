@@ -206,5 +206,92 @@ TEST_F(MotionPlanner, BeginsOnlyWhereAndUnderWhatWasPlanned) {
     EXPECT_EQ(checkStart(refused, startAt(from), m_limits, 1.0, 1.0).reason, Reason::LegAboveMax);
 }
 
+/// How many looks at the time a plan takes that is accepted; one look is 16 steps of its loops.
+int looksOf(const PlatformGeometry& machine, const Pose& from, const StraightMove& move) {
+    const MotionBounds bounds = withDefaults(MotionBounds{}, machine);
+    MotionLimits limits = motionLimits(machine, std::nullopt, std::nullopt);
+    limits.legSpeed = bounds.legSpeed;
+    limits.legAcceleration = bounds.legAcceleration;
+    int taken = 0;
+    const PlanBudget budget{std::chrono::hours(100000), [&] { return std::chrono::seconds(taken++); }};
+    const PlannedMotion planned =
+        planMotion(machine, bounds, limits, kStartSlack, {legLengths(machine, from), from}, move, budget);
+    EXPECT_TRUE(planned.check.ok()) << static_cast<int>(planned.check.reason);
+    return taken;
+}
+
+/// From a fuzzer: for most of this path the smallest singular value is little above the margin. It took
+/// 25,000 steps and 0.36 s.
+TEST(MotionPlannerCost, OfALegPathNearTheMargin) {
+    PlatformGeometry machine = testing::laboratory();
+    for (std::size_t i = 0; i < kLegCount; ++i) {
+        const double home = machine.homeLengths()[static_cast<int>(i)];
+        machine.legs[i].minLength = 0.55 * home;
+        machine.legs[i].maxLength = 1.45 * home;
+    }
+    const Pose from = poseMm(-64.0489675, -19.6652436, -13.3603402, -60.7465414, -58.5573279, -16.3378257);
+    const Pose to = poseMm(-30.310653, -101.987168, 30.1891191, -60.6441724, -31.6973457, -52.1687385);
+    EXPECT_LT(looksOf(machine, Pose{}, {from, MotionMode::Joint}), 50);
+    EXPECT_LT(looksOf(machine, from, {to, MotionMode::Joint}), 50);
+}
+
+/// The bounds between two samples are those of the joints, wherever P was put. With P 100 mm from legs of
+/// 6 mm a plan took 0.7 s.
+TEST(MotionPlannerCost, DependsNotOnWherePWasPut) {
+    PlatformGeometry small = testing::laboratory();
+    small.p_OP_home_B *= 0.02;
+    for (Leg& leg : small.legs) {
+        leg.p_OA_B *= 0.02;
+        leg.p_PB_P *= 0.02;
+        leg.minLength = 0.005;
+        leg.maxLength = 0.007;
+    }
+    const auto planLooks = [&](double below) {
+        PlatformGeometry machine = small;
+        machine.p_OP_home_B[2] -= below;
+        for (Leg& leg : machine.legs)
+            leg.p_PB_P[2] += below;
+        // The joints go the same way: about them, by as little as this, P goes nearly straight.
+        const EulerAngles angles{0.002, -0.001, 0.01};
+        const Eigen::Vector3d arm(0.0, 0.0, below);
+        const Pose to{Eigen::Vector3d(2e-4, -1e-4, 3e-4) + arm - rotationMatrix(angles) * arm, angles};
+        return looksOf(machine, Pose{}, {to, MotionMode::Workspace});
+    };
+    const int among = planLooks(0.0);
+    EXPECT_LT(planLooks(0.1), 1.5 * among);
+    EXPECT_LT(planLooks(10.0), 1.5 * among);
+    const auto fuzzed = [&] {
+        PlatformGeometry machine = small;
+        machine.p_OP_home_B[2] -= 0.1;
+        for (Leg& leg : machine.legs)
+            leg.p_PB_P[2] += 0.1;
+        return looksOf(
+            machine, Pose{},
+            {poseMm(2.095104966, 13.74473256, 1.362742007, 8.007710774, 0.3186091354, -11.34268807),
+             MotionMode::Workspace});
+    };
+    EXPECT_LT(fuzzed(), 150);
+}
+
+/// Legs of kilometres that go 80 mm/s: hours, hundreds of thousands of times as long as the jerk takes.
+TEST(MotionPlannerCost, DependsNotOnTheSizeOfTheMachine) {
+    const auto planLooks = [](double scale) {
+        PlatformGeometry machine = testing::laboratory();
+        machine.p_OP_home_B *= scale;
+        for (Leg& leg : machine.legs) {
+            leg.p_OA_B *= scale;
+            leg.p_PB_P *= scale;
+            leg.minLength *= scale;
+            leg.maxLength *= scale;
+        }
+        Pose to = poseMm(12, -4, 20, -3, 4, 6);
+        to.offset *= scale;
+        return looksOf(machine, Pose{}, {to, MotionMode::Workspace});
+    };
+    const int laboratory = planLooks(1.0);
+    EXPECT_LT(planLooks(1e4), 6 * laboratory);
+    EXPECT_LT(planLooks(1e8), 6 * laboratory);
+}
+
 } // namespace
 } // namespace hexapose

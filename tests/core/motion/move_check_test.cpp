@@ -5,9 +5,11 @@
 
 #include "core/kinematics/inverse_kinematics.h"
 #include "core/kinematics/jacobian.h"
+#include "core/kinematics/newton/newton_raphson.h"
 #include "core/kinematics/singularity.h"
 #include "core/motion/leg_path_check.h"
 #include "core/motion/limits.h"
+#include "core/motion/path_sample.h"
 #include "core/motion/pose_motion_check.h"
 #include "core/motion/sine_sweep.h"
 #include "core/motion/straight_motion.h"
@@ -17,6 +19,8 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
 #include <random>
 
 namespace hexapose {
@@ -106,6 +110,76 @@ TEST_F(MoveCheck, FindsWhatLiesBetweenItsSamples) {
     EXPECT_EQ(checkMove(beside(-0.0213), beside(0.02)).reason, MotionCheck::Reason::LegBelowMin);
     m_limits.minLength[kLeg] = home - 1e-9;
     EXPECT_TRUE(checkMove(beside(-0.0213), beside(0.02)).ok());
+}
+
+/// What the checks rely on between their samples: the Jacobian changes by no more than it says.
+TEST_F(MoveCheck, BoundsTheChangeOfTheJacobian) {
+    const PlatformModel model(m_machine);
+    const LegEquations& equations = model.equations();
+    std::mt19937_64 random(12);
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    const auto draw = [&] { return Eigen::Vector3d(unit(random), unit(random), unit(random)); };
+    double nearest = 0.0;
+    for (int i = 0; i < 3000; ++i) {
+        Placement place = equations.placementOf({0.03 * draw(), {unit(random), unit(random), unit(random)}});
+        const PathSample here(equations, place);
+        const double shift = std::pow(10.0, -1.0 - 3.0 * std::abs(unit(random)));
+        const double turn = std::pow(10.0, -1.0 - 3.0 * std::abs(unit(random)));
+        place.centroid += shift * draw().normalized();
+        const Eigen::Quaterniond turned =
+            Eigen::AngleAxisd(turn, draw().normalized()) *
+            Eigen::Quaterniond(place.w, place.v[0], place.v[1], place.v[2]).normalized();
+        const PathSample there(equations, {place.centroid, turned.w(), turned.vec()});
+        const double change = (there.jacobian() - here.jacobian()).norm();
+        const double bound = here.jacobianChange(shift, turn);
+        EXPECT_LE(change, bound);
+        nearest = std::max(nearest, change / bound);
+    }
+    EXPECT_GT(nearest, 0.6) << "no wider than it must be";
+    EXPECT_EQ(PathSample(equations, equations.placementOf(Pose{})).jacobianChange(10.0, 0.0),
+              std::numeric_limits<double>::infinity());
+}
+
+/// Leg paths against an oracle that solves 5000 poses on each.
+TEST_F(MoveCheck, AcceptsLegPathsThatKeepTheMarginAndNoOthers) {
+    m_limits.minLength.setZero();
+    m_limits.maxLength.setConstant(1.0);
+    m_limits.singularityMargin = 0.3;
+    const PlatformModel model(m_machine);
+    const NewtonRaphson newton(m_machine, NewtonOptions{});
+    std::mt19937_64 random(13);
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    int accepted = 0, refused = 0;
+    for (int i = 0; i < 60; ++i) {
+        PoseVector a, b;
+        for (int k = 0; k < 6; ++k) {
+            a[k] = (k < 3 ? 0.05 : 0.8) * unit(random);
+            b[k] = (k < 3 ? 0.05 : 0.8) * unit(random);
+        }
+        const Pose from = Pose::fromVector(a), to = Pose::fromVector(b);
+        if (!checkPose(model, m_limits, from).ok() || !checkPose(model, m_limits, to).ok())
+            continue;
+        const LegLengths start = model.actuators(from), way = model.actuators(to) - start;
+        double least = 1.0;
+        Pose pose = from;
+        for (int k = 0; k <= kOracleSamples && least > 0.0; ++k) {
+            const ForwardResult result = newton.solve(start + way * k / kOracleSamples, pose);
+            least = result.isUsable() ? std::min(least, model.singularity(result.pose).smallestSingularValue)
+                                      : 0.0;
+            pose = result.pose;
+        }
+        const MotionCheck check = checkLegPath(model, m_limits, from, to);
+        if (check.ok()) {
+            ++accepted;
+            EXPECT_GE(least, m_limits.singularityMargin - kMarginResolution) << i;
+        } else {
+            ++refused;
+            EXPECT_EQ(check.reason, MotionCheck::Reason::PathNearSingular) << i;
+            EXPECT_LT(least, m_limits.singularityMargin + 1e-6) << i;
+        }
+    }
+    EXPECT_GT(accepted, 10);
+    EXPECT_GT(refused, 3);
 }
 
 TEST_F(MoveCheck, NamesEnvelopeSpeedAndAcceleration) {

@@ -75,6 +75,37 @@ TEST(PathTiming, BeginsAndEndsAtRestAndStaysThere) {
     EXPECT_NEAR(timing.at(timing.duration() - 1e-9).s, 1.0, 1e-9);
 }
 
+TEST(PathTiming, OfBoundsThatAreNoneNeverEnds) {
+    const double infinity = std::numeric_limits<double>::infinity();
+    for (const double bad : {0.0, -1.0, infinity, std::nan("")})
+        for (const PathBounds& bounds :
+             {PathBounds{bad, 1.0, 1.0}, PathBounds{1.0, bad, 1.0}, PathBounds{1.0, 1.0, bad}}) {
+            const PathTiming timing(bounds, unlimited);
+            EXPECT_EQ(timing.duration(), infinity);
+            EXPECT_EQ(timing.at(1.0).s, 0.0);
+        }
+    const PathTiming stuck({1.0, 1.0, 1.0}, [](double s) { return s > 0.5 ? 0.0 : 1.0; });
+    EXPECT_EQ(stuck.duration(), infinity);
+}
+
+TEST(PathTiming, TellsItsHighestRateAndAcceleration) {
+    const auto narrow = [](double s) { return 0.5 - 0.35 * std::exp(-std::pow((s - 0.5) / 0.1, 2)); };
+    for (const PathTiming& timing :
+         {PathTiming({0.67, 2.7, 27.0}, narrow), PathTiming({0.67, 2.7, 2.7}, unlimited),
+          PathTiming({5.0, 50.0, 10.0}, unlimited)}) {
+        double rate = 0.0, acceleration = 0.0;
+        for (int i = 0; i <= kSamples; ++i) {
+            const PathTiming::State state = timing.at(timing.duration() * i / kSamples);
+            rate = std::max(rate, state.rate);
+            acceleration = std::max(acceleration, std::abs(state.acceleration));
+        }
+        EXPECT_LE(rate, timing.maxRate() * (1.0 + 1e-12));
+        EXPECT_GT(rate, 0.999 * timing.maxRate());
+        EXPECT_LE(acceleration, timing.maxAcceleration() * (1.0 + 1e-12));
+        EXPECT_GT(acceleration, 0.99 * timing.maxAcceleration());
+    }
+}
+
 /// A narrow place on the way: slow there, and nowhere else.
 TEST(PathTiming, FollowsARateLimitAlongTheWay) {
     const auto narrow = [](double s) { return 0.5 - 0.35 * std::exp(-std::pow((s - 0.5) / 0.1, 2)); };

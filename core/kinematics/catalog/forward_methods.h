@@ -27,7 +27,9 @@ const std::vector<ForwardMethod>& forwardMethods();
 const ForwardMethod* findForwardMethod(std::string_view word);
 
 /// Builds the solver; `model` must be there, of the method's degree and of this platform, when the method
-/// needs one. Throws InputError otherwise. Geometry and model are copied.
+/// needs one. Throws InputError otherwise. The model is copied.
+std::unique_ptr<ForwardSolver> makeForwardSolver(const ForwardMethod& method, const SharedModel& platform,
+                                                 const PolynomialModel* model, const NewtonOptions& options);
 std::unique_ptr<ForwardSolver> makeForwardSolver(const ForwardMethod& method,
                                                  const PlatformGeometry& geometry,
                                                  const PolynomialModel* model, const NewtonOptions& options);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: MIT
-#include "core/kinematics/forward_methods.h"
+#include "core/kinematics/catalog/forward_methods.h"
 
 #include "core/base/input_error.h"
 #include "core/kinematics/regression/mpr_newton.h"
@@ -12,7 +12,7 @@ namespace hexapose {
 
 namespace {
 
-const PolynomialModel& checkedModel(const ForwardMethod& method, const PlatformGeometry& geometry,
+const PolynomialModel& checkedModel(const ForwardMethod& method, const PlatformModel& platform,
                                     const PolynomialModel* model) {
     const std::string where = "method " + std::string(method.word);
     if (model == nullptr)
@@ -20,9 +20,9 @@ const PolynomialModel& checkedModel(const ForwardMethod& method, const PlatformG
     if (model->spec.degree != method.modelDegree)
         throw InputError(where, "needs a regression model of degree " + std::to_string(method.modelDegree) +
                                     ", this one has degree " + std::to_string(model->spec.degree));
-    if (model->platformFingerprint != geometry.fingerprint())
+    if (model->platformFingerprint != platform.fingerprint())
         throw InputError(where, "the model belongs to platform " + model->platformFingerprint +
-                                    ", this platform is " + geometry.fingerprint());
+                                    ", this platform is " + platform.fingerprint());
     return *model;
 }
 
@@ -44,17 +44,22 @@ const ForwardMethod* findForwardMethod(std::string_view word) {
     return found == methods.end() ? nullptr : &*found;
 }
 
+std::unique_ptr<ForwardSolver> makeForwardSolver(const ForwardMethod& method, const SharedModel& platform,
+                                                 const PolynomialModel* model, const NewtonOptions& options) {
+    if (method.word == "newton")
+        return std::make_unique<NewtonRaphson>(platform, options);
+    if (method.word == "newton-as-published")
+        return std::make_unique<NewtonAsPublished>(platform, options);
+    const PolynomialModel& checked = checkedModel(method, *platform, model);
+    if (method.word.ends_with("-nr"))
+        return std::make_unique<MprNewton>(platform, checked, options);
+    return std::make_unique<PolynomialRegression>(platform, checked);
+}
+
 std::unique_ptr<ForwardSolver> makeForwardSolver(const ForwardMethod& method,
                                                  const PlatformGeometry& geometry,
                                                  const PolynomialModel* model, const NewtonOptions& options) {
-    if (method.word == "newton")
-        return std::make_unique<NewtonRaphson>(geometry, options);
-    if (method.word == "newton-as-published")
-        return std::make_unique<NewtonAsPublished>(geometry, options);
-    const PolynomialModel& checked = checkedModel(method, geometry, model);
-    if (method.word.ends_with("-nr"))
-        return std::make_unique<MprNewton>(geometry, checked, options);
-    return std::make_unique<PolynomialRegression>(geometry, checked);
+    return makeForwardSolver(method, makeModel(geometry), model, options);
 }
 
 } // namespace hexapose
