@@ -13,6 +13,7 @@
 namespace hexapose::apptest {
 namespace {
 
+using Misdeed = ForeignController::Misdeed;
 using testing::IsEmpty;
 using testing::Not;
 
@@ -55,6 +56,21 @@ TEST_P(EndsBySignal, HeadlessConsoleInMidMove) {
 
 INSTANTIATE_TEST_SUITE_P(Signals, EndsBySignal, testing::Values(SIGINT, SIGTERM, SIGHUP),
                          [](const auto& row) { return std::string(sigabbrev_np(row.param)); });
+
+TEST(EndOfRun, WhenEveryPoseWasVisited) {
+    const Ran ran = runWell(asTheyAre({}), {}, {kFigure7});
+    EXPECT_EQ(ran.outcome.status, 0) << ran.outcome.err;
+    expectStoppedAndDisabled(ran.bench->controller);
+}
+
+TEST(EndOfRun, WhenTheRunFails) {
+    for (const Misdeed misdeed : {Misdeed::RefuseSets, Misdeed::Silence, Misdeed::Stop}) {
+        SCOPED_TRACE(static_cast<int>(misdeed));
+        Bench bench(asTheyAre({}), {misdeed});
+        EXPECT_EQ(bench.run().status, 1);
+        expectStoppedAndDisabled(bench.controller);
+    }
+}
 
 } // namespace
 } // namespace hexapose::apptest

@@ -63,6 +63,17 @@ TEST(ThreadPriority, WorkThatCanWaitLeavesRealTime) {
         GTEST_SKIP() << "real-time policies are not permitted here";
 }
 
+TEST(ThreadPriority, AHelperOfARaisedThreadIsOrdinaryAgain) {
+    std::jthread([] {
+        raiseThreadPriority();
+        std::jthread([] {
+            resetThreadPriority();
+            EXPECT_EQ(presentPolicy(), SCHED_OTHER);
+            EXPECT_GE(presentNice(), 0);
+        }).join();
+    }).join();
+}
+
 TEST(ThreadPriority, RaisedItIsWhatTheSystemSaysAndThreadsInheritIt) {
     std::jthread([] {
         const ThreadPriority raised = raiseThreadPriority();
