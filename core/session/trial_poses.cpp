@@ -5,6 +5,8 @@
 
 #include "core/base/input_error.h"
 #include "core/base/units.h"
+#include "core/motion/leg_path_check.h"
+#include "core/record/motion_check_words.h"
 #include "core/report/error_report.h"
 
 #include <algorithm>
