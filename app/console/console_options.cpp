@@ -3,6 +3,7 @@
 #include "app/console/console_options.h"
 
 #include "app/common/arguments.h"
+#include "app/common/platform_check.h"
 #include "core/base/input_error.h"
 #include "ui/common/language.h"
 #include "ui/common/solver_choices.h"
@@ -87,6 +88,8 @@ ConsoleOptions parseConsoleOptions(const QStringList& words) {
         throw InputError("--output", "is for --headless only");
     }
     options.geometry = arguments.platform();
+    if (options.headless)
+        requireMovable(options.geometry, arguments.text("platform", "laboratory"));
     return options;
 }
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/common/arguments.h"
 #include "app/common/directories.h"
-#include "app/common/platform_check.h"
 #include "app/common/port_check.h"
 #include "app/console/console.h"
 #include "app/console/console_options.h"
@@ -134,9 +133,6 @@ int main(int argc, char* argv[]) {
         if (options.version) {
             std::puts("hexapose " HEXAPOSE_VERSION);
             return 0;
-        }
-        if (options.headless) {
-            requireMovable(options.geometry, options.platform);
         }
         checkPort(options);
         const std::vector<Pose> trial = options.headless

@@ -104,7 +104,7 @@ INSTANTIATE_TEST_SUITE_P(
         Arrow{"core/kinematics/a.cpp", "\"core/finite_step/leg_path.h\"", false},
         Arrow{"core/finite_step/a.cpp", "\"core/kinematics/jacobian.h\"", true},
         Arrow{"core/finite_step/a.cpp", "\"core/record/snapshot.h\"", false},
-        Arrow{"core/device/a.cpp", "\"core/record/snapshot.h\"", false},
+        Arrow{"core/device/a.cpp", "\"core/record/snapshot.h\"", true},
         // A folder's row does not open the layer inside it.
         Arrow{"core/device/a.cpp", "\"core/device/serial/serial_channel.h\"", false},
         Arrow{"core/device/serial/a.cpp", "\"core/device/byte_channel.h\"", true},

@@ -19,3 +19,5 @@
 #include <hexapose/core/record/log_writer.h>
 #include <hexapose/core/record/pose_list.h>
 #include <hexapose/core/record/snapshot.h>
+#include <hexapose/core/report/error_report.h>
+#include <hexapose/core/session/session.h>

@@ -104,13 +104,13 @@ private:
 
 int takePicture(QApplication& application, const Look& look, const QDir& folder, const QString& scratch) {
     ConsoleOptions options;
+    options.geometry = loadPlatform(HEXAPOSE_SOURCE_DIR "/resources/platforms/laboratory.toml");
     options.connection = VirtualConnection{};
     options.language = QString::fromLatin1(look.language);
     options.theme = look.theme;
     options.method = "mpr3-nr";
     options.logDirectory = scratch.toStdString();
-    Console console(application, options,
-                    loadPlatform(HEXAPOSE_SOURCE_DIR "/resources/platforms/laboratory.toml"));
+    Console console(application, options);
     console.window().resize(1280, 800);
     console.start();
     const Visit visit(console.window(), folder.filePath(QString::fromLatin1(look.file)));

@@ -31,8 +31,10 @@ TEST(EventCodec, WritesTheLogOfBeforeByteForByte) {
         EXPECT_EQ(event->data.index(), golden.event.data.index()) << "the payload is read as a value";
         seen.insert(event->code);
     }
-    EXPECT_EQ(seen.size(), static_cast<std::size_t>(EventCode::SolverChanged) + 1)
-        << "each code is among them";
+    std::size_t codes = 0;
+    while (toWord(static_cast<EventCode>(codes)) != "unknown")
+        ++codes;
+    EXPECT_EQ(seen.size(), codes) << "each code is among them";
 }
 
 TEST(EventCodec, ReadsValuesBack) {
