@@ -58,7 +58,7 @@ TEST(VisitJob, SetsTheSpeedRunsAndSamples) {
     EXPECT_EQ(among<SpeedCommand>(second), nullptr) << "once";
     ASSERT_NE(among<RunCommand>(second), nullptr);
     EXPECT_EQ(among<RunCommand>(second)->mode, MotionMode::Workspace);
-    visit.add(at(2s, RunState::Moving));
+    visit.add(at(2s, RunState::Moving, {{EventCode::MoveStarted}}));
     for (int k = 0; k <= 13; ++k) {
         Snapshot standing = at(3s + k * 100ms, RunState::Enabled);
         standing.goalPose = Pose{};
