@@ -8,7 +8,8 @@
 
 namespace hexapose {
 
-/// Throws InputError, with the likely cause, for a platform with which nothing can move: its home is singular.
+/// Throws InputError, with the likely cause, for a platform with which nothing can move: its home is
+/// singular.
 void requireMovable(const PlatformGeometry& platform, const std::string& nameOrFile);
 
 } // namespace hexapose

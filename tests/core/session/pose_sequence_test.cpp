@@ -76,10 +76,9 @@ TEST(PoseSequence, ARefusalOfAnotherCommandChangesNothing) {
     sequence.add(at(1500ms, {eventFrom("command-refused jog in disabled")}));
     sequence.add(at(2s, {{EventCode::MoveStarted}}));
     EXPECT_EQ(sequence.begun(), 1U);
-    for (const Event& refusal : {eventFrom("command-refused run in moving"),
-                                 eventFrom("command-refused jog in moving"),
-                                 eventFrom("move-refused leg 3 above max_mm"),
-                                 eventFrom("preparation-failed reference")}) {
+    for (const Event& refusal :
+         {eventFrom("command-refused run in moving"), eventFrom("command-refused jog in moving"),
+          eventFrom("move-refused leg 3 above max_mm"), eventFrom("preparation-failed reference")}) {
         sequence.add(at(3s, {refusal}));
         EXPECT_EQ(sequence.phase(), Step::Moving) << formatEvent(refusal);
     }
