@@ -66,9 +66,9 @@ void PosePanel::addSingularity() {
 }
 
 void PosePanel::showSnapshot(const Snapshot& snapshot) {
-    const std::optional<Pose>& pose = snapshot.measuredPose;
+    const std::optional<Pose>& at = snapshot.measuredPose;
     const auto rounding =
-        pose ? std::optional(roundingEffect(m_geometry, *pose, kLengthResolution)) : std::nullopt;
+        at ? std::optional(roundingEffect(m_geometry, *at, kLengthResolution)) : std::nullopt;
     for (int i = 0; i < 6; ++i) {
         const Row& row = m_rows[static_cast<std::size_t>(i)];
         const int decimals = coordinateTexts()[static_cast<std::size_t>(i)].angle ? 4 : 3;
