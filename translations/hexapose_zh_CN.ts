@@ -391,10 +391,6 @@ FSI：以小步沿支腿路径跟踪
         <translation>未使能</translation>
     </message>
     <message>
-        <source>Move started, %1 s planned</source>
-        <translation>运动开始，计划 %1 s</translation>
-    </message>
-    <message>
         <source>Settled after %1 s</source>
         <translation>%1 s 后稳定</translation>
     </message>
@@ -485,6 +481,10 @@ FSI：以小步沿支腿路径跟踪
     <message>
         <source>Nothing moved. Try again.</source>
         <translation>未产生运动。请重试。</translation>
+    </message>
+    <message>
+        <source>Move started: %1 s at full speed</source>
+        <translation>运动开始：全速时 %1 s</translation>
     </message>
 </context>
 <context>
@@ -818,8 +818,8 @@ FSI：以小步沿支腿路径跟踪
         <translation>删除位姿</translation>
     </message>
     <message>
-        <source>Forget the pose of this name</source>
-        <translation>删除此名称的位姿</translation>
+        <source>Delete this pose</source>
+        <translation>删除该位姿</translation>
     </message>
 </context>
 <context>
@@ -1476,6 +1476,10 @@ FSI：以小步沿支腿路径跟踪
     <message>
         <source>Cannot run: the controller does not answer yet</source>
         <translation>无法运行：控制器尚未应答</translation>
+    </message>
+    <message>
+        <source>Cannot run: a motion is being prepared</source>
+        <translation>无法运行：正在准备运动</translation>
     </message>
 </context>
 <context>

@@ -7,10 +7,6 @@
 #include "core/kinematics/catalog/forward_methods.h"
 #include "core/kinematics/regression/model_cache.h"
 
-#include <QThread>
-
-#include <exception>
-
 namespace hexapose {
 
 namespace {
@@ -23,53 +19,44 @@ constexpr std::string_view kMethodWithoutModel = "newton";
 
 ModelJob::ModelJob(const PlatformGeometry& geometry, const std::string& method,
                    const std::filesystem::path& cache, QObject* parent)
-    : QObject(parent), m_geometry(geometry), m_method(method), m_cache(cache) {
-    qRegisterMetaType<ReadySolver>();
-}
-
-ModelJob::~ModelJob() {
-    cancel();
-    if (m_thread) {
-        m_thread->wait();
-    }
-}
+    : QObject(parent), m_geometry(geometry), m_method(method), m_cache(cache),
+      m_job(QStringLiteral("model training")) {}
 
 void ModelJob::start() {
-    m_thread.reset(QThread::create([this] { work(); }));
-    m_thread->setObjectName(QStringLiteral("model training"));
-    m_thread->start();
+    m_job.start([this](const Job& job) { return make(job); },
+                [this](const Job::Outcome<std::optional<ReadySolver>>& outcome) {
+                    if (!outcome.result) {
+                        emit failed(outcome.error);
+                    } else if (!*outcome.result) {
+                        emit cancelled();
+                    } else {
+                        emit ready(**outcome.result);
+                    }
+                });
 }
 
-// On the job's own thread; a signal is carried over to the receiver's.
-void ModelJob::work() {
-    try {
-        if (m_method == kFiniteSteps) {
-            emit ready(
-                {std::make_unique<FiniteStepSolver>(m_geometry, FiniteStepOptions{.steps = kStepsOfACycle}),
-                 {}});
-            return;
-        }
-        const ForwardMethod* method = findForwardMethod(m_method);
-        if (method->modelDegree == 0) {
-            emit ready({makeForwardSolver(*method, m_geometry, nullptr, NewtonOptions{}), {}});
-            return;
-        }
-        const TrainingSpec spec = defaultTrainingSpec(m_geometry, method->modelDegree);
-        const auto cached = loadOrTrainModel(m_geometry, spec, m_cache, [this](double part) {
-            emit progressed(part);
-            return !m_cancelled;
-        });
-        if (!cached || m_cancelled) {
-            emit cancelled();
-            return;
-        }
-        const SharedModel platform = makeModel(m_geometry);
-        emit ready({withPathFallback(*method, platform,
-                                     makeForwardSolver(*method, platform, &cached->model, NewtonOptions{})),
-                    cached->model.fingerprint()});
-    } catch (const std::exception& error) {
-        emit failed(QString::fromUtf8(error.what()));
+std::optional<ReadySolver> ModelJob::make(const Job& job) {
+    if (m_method == kFiniteSteps) {
+        return ReadySolver{
+            std::make_unique<FiniteStepSolver>(m_geometry, FiniteStepOptions{.steps = kStepsOfACycle}), {}};
     }
+    const ForwardMethod* method = findForwardMethod(m_method);
+    if (method->modelDegree == 0) {
+        return ReadySolver{makeForwardSolver(*method, m_geometry, nullptr, NewtonOptions{}), {}};
+    }
+    const TrainingSpec spec = defaultTrainingSpec(m_geometry, method->modelDegree);
+    const auto cached = loadOrTrainModel(m_geometry, spec, m_cache, [this, &job](double part) {
+        job.deliver([this, part] { emit progressed(part); });
+        return !job.isCancelled();
+    });
+    if (!cached || job.isCancelled()) {
+        return std::nullopt;
+    }
+    const SharedModel platform = makeModel(m_geometry);
+    return ReadySolver{
+        withPathFallback(*method, platform,
+                         makeForwardSolver(*method, platform, &cached->model, NewtonOptions{})),
+        cached->model.fingerprint()};
 }
 
 ReadySolver ModelJob::withoutModel() const {

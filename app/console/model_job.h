@@ -4,15 +4,14 @@
 
 #include "core/geometry/platform_geometry.h"
 #include "core/kinematics/forward_solver.h"
+#include "ui/common/job.h"
 
 #include <QObject>
 
-#include <atomic>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
-
-class QThread;
 
 namespace hexapose {
 
@@ -30,9 +29,8 @@ public:
     /// method: its word on the command line, one of those that refine (mpr3-nr, mpr2-nr, newton) or fsi.
     ModelJob(const PlatformGeometry& geometry, const std::string& method, const std::filesystem::path& cache,
              QObject* parent = nullptr);
-    ~ModelJob() override; ///< cancels and waits
     void start();
-    void cancel() { m_cancelled = true; }
+    void cancel() { m_job.cancel(); }
     /// Newton alone, which needs no model: what remains when the training was cancelled or failed.
     ReadySolver withoutModel() const;
 
@@ -43,15 +41,13 @@ signals:
     void failed(const QString& reason);
 
 private:
-    void work();
+    /// Nothing when it was cancelled.
+    std::optional<ReadySolver> make(const Job& job);
 
     PlatformGeometry m_geometry;
     std::string m_method;
     std::filesystem::path m_cache;
-    std::atomic<bool> m_cancelled{false};
-    std::unique_ptr<QThread> m_thread;
+    Job m_job; ///< last, so that it is waited for first
 };
 
 } // namespace hexapose
-
-Q_DECLARE_METATYPE(hexapose::ReadySolver)

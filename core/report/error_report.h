@@ -21,6 +21,9 @@ struct ErrorStatistics {
     PoseVector maximum = PoseVector::Zero(); ///< of the absolute value
 };
 
+/// Lengths are commonly told with one decimal of a millimetre, m.
+inline constexpr double kLengthResolution = 1e-4;
+
 /// One row of the report, as Table 5: reference, solved, error, and what the length resolution alone
 /// explains.
 struct ErrorRow {
@@ -50,7 +53,7 @@ PoseVector largestPredictedBound(const ErrorReport& report);
 /// Solves each sample (from home, as the method does; from the target where that gives nothing usable) and
 /// compares.
 ErrorReport makeErrorReport(const PlatformGeometry& geometry, const ForwardSolver& solver,
-                            const std::vector<SettledSample>& samples, double resolution = 1e-4);
+                            const std::vector<SettledSample>& samples, double resolution = kLengthResolution);
 
 /// errors.csv: one row a sample. Columns: number; target (x_target_mm ... gamma_target_deg); solved (x_mm ...
 /// gamma_deg); error in the same units (x_error_mm ... gamma_error_deg) and in SI (error_x_m ...

@@ -3,33 +3,80 @@
 
 #include "core/session/pose_sequence.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace hexapose {
 
-PoseSequence::PoseSequence(std::vector<Pose> targets, std::chrono::nanoseconds dwell)
-    : m_targets(std::move(targets)), m_dwell(dwell) {
+namespace {
+
+bool isRefusalOfRun(const Event& event) {
+    const auto* refusal = event.get<CommandRefusal>();
+    return event.code == EventCode::CommandRefused && refusal && refusal->command == Command::Run;
+}
+
+/// A Run that is refused there was refused because of the state, whoever had asked for it.
+bool refusesEveryRun(RunState state) {
+    return state == RunState::Disconnected || state == RunState::Moving || state == RunState::Stopped ||
+           state == RunState::Fault;
+}
+
+} // namespace
+
+PoseSequence::PoseSequence(std::vector<Pose> targets, std::chrono::nanoseconds dwell, MotionId firstId)
+    : m_targets(std::move(targets)), m_dwell(dwell), m_firstId(firstId) {
     if (m_targets.empty())
         m_phase = Phase::Done;
 }
 
+std::optional<Pose> PoseSequence::ask(const Snapshot& snapshot) {
+    m_phase = Phase::Moving;
+    m_idBefore = snapshot.motionId;
+    m_answered = m_taken = m_started = false;
+    return m_targets[m_finished];
+}
+
 /// Whether the attitude will not be reached after this.
-bool PoseSequence::ends(const Event& event) const {
+bool PoseSequence::endsTheRun(const Event& event) const {
     switch (event.code) {
     case EventCode::NotSettled:
     case EventCode::StopRequested:
-    case EventCode::JogStarted:
         return true;
-    case EventCode::MoveStarted:
-        return !m_asked; // somebody else's
     case EventCode::MoveRefused:
     case EventCode::PreparationFailed:
-        return m_asked;
+        return !m_started; // nobody else's Run can be pending beside ours
     case EventCode::CommandRefused:
-        return m_asked && event.get<CommandRefusal>() && event.get<CommandRefusal>()->command == Command::Run;
+        return !m_taken && isRefusalOfRun(event) && refusesEveryRun(event.get<CommandRefusal>()->state);
     default:
         return isFault(event.code);
     }
+}
+
+/// Why the present Run is over before its time, if it is.
+std::optional<Event> PoseSequence::end(const Snapshot& snapshot) {
+    const bool ours = snapshot.motionId == id();
+    if (ours && !m_taken) {
+        m_taken = m_answered = true;
+        ++m_accepted;
+    }
+    for (const Event& event : snapshot.events) {
+        m_started = m_started || (ours && event.code == EventCode::MoveStarted);
+        m_answered = m_answered || isRefusalOfRun(event); // ours, or of another while ours is pending
+        if (endsTheRun(event))
+            return event;
+    }
+    if (!ours && (m_taken || snapshot.motionId != m_idBefore)) {
+        const auto& events = snapshot.events;
+        const bool jog = std::any_of(events.begin(), events.end(),
+                                     [](const Event& e) { return e.code == EventCode::JogStarted; });
+        return Event{jog ? EventCode::JogStarted : EventCode::MoveStarted};
+    }
+    // Dropped without a word, as a Disable drops what is pending.
+    const bool free = snapshot.allowed.contains(Command::Run);
+    if (m_answered && !m_started && free)
+        return Event{EventCode::CommandRefused, CommandRefusal{Command::Run, snapshot.state}};
+    m_answered = m_answered || !free;
+    return std::nullopt;
 }
 
 std::optional<Pose> PoseSequence::add(const Snapshot& snapshot) {
@@ -39,23 +86,15 @@ std::optional<Pose> PoseSequence::add(const Snapshot& snapshot) {
         // Before the first Run: the controller must have said who it is and where the legs are.
         const bool ready = snapshot.link == LinkState::Connected && snapshot.measuredPose &&
                            !snapshot.stale && snapshot.state != RunState::Disconnected;
-        if (!ready)
-            return std::nullopt;
-        m_phase = Phase::Moving;
-        m_asked = true;
-        return m_targets[m_finished];
+        return ready ? ask(snapshot) : std::nullopt;
+    }
+    if (std::optional<Event> why = end(snapshot)) {
+        m_phase = Phase::Failed;
+        m_failure = std::move(why);
+        return std::nullopt;
     }
     for (const Event& event : snapshot.events) {
-        if (ends(event)) {
-            m_phase = Phase::Failed;
-            m_failure = event;
-            return std::nullopt;
-        }
-        if (event.code == EventCode::MoveStarted) {
-            m_asked = false;
-            ++m_begun;
-        }
-        if (event.code == EventCode::Settled && !m_asked) {
+        if (event.code == EventCode::Settled && m_started) {
             m_phase = Phase::Dwelling;
             m_since = snapshot.time;
         }
@@ -67,9 +106,7 @@ std::optional<Pose> PoseSequence::add(const Snapshot& snapshot) {
         m_phase = Phase::Done;
         return std::nullopt;
     }
-    m_phase = Phase::Moving;
-    m_asked = true;
-    return m_targets[m_finished];
+    return ask(snapshot);
 }
 
 } // namespace hexapose

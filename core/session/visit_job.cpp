@@ -77,9 +77,9 @@ std::vector<OperatorCommand> VisitJob::add(const Snapshot& snapshot) {
     }
     if (const std::optional<Pose> next = m_sequence.add(snapshot)) {
         if (m_options.sweep)
-            commands.push_back(SweepCommand{*m_options.sweep});
+            commands.push_back(SweepCommand{*m_options.sweep, m_sequence.id()});
         else
-            commands.push_back(RunCommand{*next, m_options.mode});
+            commands.push_back(RunCommand{*next, m_options.mode, m_sequence.id()});
     }
     if (m_sequence.phase() == PoseSequence::Phase::Failed)
         fail(VisitFailure::Reason::Ended, snapshot, m_sequence.failure());

@@ -3,6 +3,7 @@
 #include "ui/charts/chart_page.h"
 
 #include "core/base/units.h"
+#include "ui/common/labelled.h"
 #include "ui/common/status_text.h"
 
 #include <QButtonGroup>
@@ -266,14 +267,10 @@ void ChartPage::applySubject() {
 }
 
 void ChartPage::retranslate() {
-    const auto name = [](QPushButton* button, const QString& text) {
-        button->setText(text);
-        button->setAccessibleName(text);
-    };
-    name(m_attitude, tr("Attitude"));
-    name(m_legs, tr("Legs"));
-    name(m_errors, tr("Errors"));
-    name(m_pause, isPaused() ? tr("Resume") : tr("Pause"));
+    label(*m_attitude, tr("Attitude"));
+    label(*m_legs, tr("Legs"));
+    label(*m_errors, tr("Errors"));
+    label(*m_pause, isPaused() ? tr("Resume") : tr("Pause"));
     m_zoomIn->setAccessibleName(tr("Shorter time window"));
     m_zoomIn->setToolTip(m_zoomIn->accessibleName());
     m_zoomOut->setAccessibleName(tr("Longer time window"));

@@ -142,3 +142,5 @@ void NumberField::changeEvent(QEvent* event) {
 }
 
 } // namespace hexapose
+
+#include "moc_number_field.cpp"

@@ -4,7 +4,6 @@
 
 #include "core/base/units.h"
 #include "core/kinematics/catalog/forward_methods.h"
-#include "ui/common/allowed_commands.h"
 
 #include <QCoreApplication>
 
@@ -97,7 +96,7 @@ QString runHindrance(const Snapshot& snapshot) {
     if (const QString link = linkHindrance(snapshot); !link.isEmpty()) {
         return link;
     }
-    if (snapshot.state == RunState::Disconnected || allowedCommands(snapshot).contains(Command::Run)) {
+    if (snapshot.state == RunState::Disconnected || snapshot.allowed.contains(Command::Run)) {
         return {};
     }
     switch (snapshot.state) {
@@ -107,7 +106,9 @@ QString runHindrance(const Snapshot& snapshot) {
     case RunState::Fault:
         return StatusText::tr("Cannot run: press Clear first");
     default:
-        return StatusText::tr("Cannot run: the controller does not answer yet");
+        return snapshot.link == LinkState::Connected
+                   ? StatusText::tr("Cannot run: a motion is being prepared")
+                   : StatusText::tr("Cannot run: the controller does not answer yet");
     }
 }
 

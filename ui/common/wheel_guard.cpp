@@ -53,3 +53,5 @@ bool WheelGuard::eventFilter(QObject* watched, QEvent* event) {
 }
 
 } // namespace hexapose
+
+#include "moc_wheel_guard.cpp"

@@ -58,10 +58,16 @@ TEST(VisitJob, SetsTheSpeedRunsAndSamples) {
     EXPECT_EQ(among<SpeedCommand>(second), nullptr) << "once";
     ASSERT_NE(among<RunCommand>(second), nullptr);
     EXPECT_EQ(among<RunCommand>(second)->mode, MotionMode::Workspace);
-    visit.add(at(2s, RunState::Moving, {{EventCode::MoveStarted}}));
+    const MotionId id = among<RunCommand>(second)->id;
+    EXPECT_NE(id, kNoMotion);
+    Snapshot moving = at(2s, RunState::Moving);
+    moving.motionId = id;
+    moving.events.push_back({EventCode::MoveStarted, 1.0});
+    visit.add(moving);
     for (int k = 0; k <= 13; ++k) {
         Snapshot standing = at(3s + k * 100ms, RunState::Enabled);
         standing.goalPose = Pose{};
+        standing.motionId = id;
         if (k == 0)
             standing.events.push_back({EventCode::Settled});
         EXPECT_TRUE(visit.add(standing).empty());

@@ -43,7 +43,8 @@ protected:
         live();
     }
     void live() {
-        window.showSnapshots({snapshotAt(geometry, Pose{}, Pose{}, RunState::Enabled, now += 0.01)});
+        window.showSnapshots({std::make_shared<const Snapshot>(
+            snapshotAt(geometry, Pose{}, Pose{}, RunState::Enabled, now += 0.01))});
     }
     QPushButton& button(const char* name) {
         return *qobject_cast<QPushButton*>(findByName(window, QString::fromLatin1(name)));

@@ -19,8 +19,10 @@ using namespace hexapose::testing;
 class GuidedTestTest : public ::testing::Test {
 protected:
     GuidedTestTest() : geometry(laboratoryPlatform()), panel(geometry) {
-        QObject::connect(&panel, &GuidedTestPanel::runRequested,
-                         [this](const Pose& pose) { asked.push_back(pose); });
+        QObject::connect(&panel, &GuidedTestPanel::runRequested, [this](const Pose& pose, MotionId id) {
+            asked.push_back(pose);
+            lastId = id;
+        });
         panel.setSolver(newtonSolver(geometry));
         panel.setConnected(true);
         panel.showSnapshot(snapshotAt(geometry, Pose{}, Pose{}, RunState::Enabled, now));
@@ -28,6 +30,7 @@ protected:
     void feed(const Pose& at, RunState state, std::vector<Event> events = {}) {
         Snapshot snapshot = snapshotAt(geometry, at, published, state, now += 0.01);
         snapshot.events = std::move(events);
+        snapshot.motionId = lastId;
         panel.add(snapshot);
     }
     QPushButton* button() {
@@ -48,6 +51,7 @@ protected:
     GuidedTestPanel panel;
     const Pose published = poseOf(12, -4, 40, 0, 0, 5);
     std::vector<Pose> asked;
+    MotionId lastId = kNoMotion;
     double now = 0.0;
 };
 
@@ -77,6 +81,25 @@ TEST_F(GuidedTestTest, GoesThereSettlesAveragesSolvesAndCompares) {
         << spoken("Test progress").toStdString();
     EXPECT_TRUE(button()->isEnabled());
     EXPECT_EQ(asked.size(), 1U);
+}
+
+TEST_F(GuidedTestTest, ARefusalLeavesTheLastResult) {
+    button()->click();
+    feed(Pose{}, RunState::Enabled);
+    feed(published, RunState::Moving, {{EventCode::MoveStarted, 2.0}});
+    feed(published, RunState::Enabled, {{EventCode::Settled, 1.0}});
+    for (int i = 0; i < 120; ++i) {
+        feed(published, RunState::Enabled);
+    }
+    ASSERT_EQ(spoken("Test measured z"), "40.000");
+    button()->click();
+    const MotionId before = lastId;
+    feed(published, RunState::Enabled);
+    EXPECT_NE(lastId, before);
+    lastId = before; // the loop has not taken it
+    feed(published, RunState::Moving, {eventFrom("command-refused run in moving")});
+    EXPECT_FALSE(panel.isRunning());
+    EXPECT_EQ(spoken("Test measured z"), "40.000");
 }
 
 TEST_F(GuidedTestTest, StopAndAFailureEndItWithoutAResult) {

@@ -27,11 +27,15 @@ protected:
         auto* column = new QVBoxLayout(&window);
         column->addWidget(panel);
         column->addWidget(elsewhere);
-        QObject::connect(panel, &JogPanel::jogRequested,
-                         [this](const JogDirection& direction) { jogs.push_back(direction); });
+        QObject::connect(panel, &JogPanel::jogRequested, [this](const JogDirection& direction, MotionId id) {
+            jogs.push_back(direction);
+            jogId = id;
+        });
         QObject::connect(panel, &JogPanel::releaseRequested, [this] { ++releases; });
-        QObject::connect(panel, &JogPanel::stepRequested,
-                         [this](const Pose& pose) { steps.push_back(pose); });
+        QObject::connect(panel, &JogPanel::stepRequested, [this](const Pose& pose, MotionId id) {
+            steps.push_back(pose);
+            stepId = id;
+        });
         window.show();
         window.activateWindow();
         EXPECT_TRUE(QTest::qWaitForWindowActive(&window));
@@ -51,10 +55,13 @@ protected:
     }
     void hold(const char* name) { QTest::mousePress(button(name), Qt::LeftButton); }
     void stepTaken() {
-        Snapshot moving = snapshot(RunState::Moving);
-        moving.events.push_back({EventCode::MoveStarted, 0.5});
-        panel->add(moving);
+        panel->add(moving(stepId));
         live(RunState::Enabled);
+    }
+    Snapshot moving(MotionId id) {
+        Snapshot moving = snapshot(RunState::Moving);
+        moving.motionId = id;
+        return moving;
     }
     bool allUp() {
         return QTest::qWaitFor([this] { return panel->isAllUp(); });
@@ -83,6 +90,8 @@ protected:
     QLineEdit* elsewhere;
     std::vector<JogDirection> jogs;
     std::vector<Pose> steps;
+    MotionId jogId = kNoMotion;
+    MotionId stepId = kNoMotion;
     int releases = 0;
 };
 
@@ -322,10 +331,8 @@ TEST_F(JogPanelTest, AStepThatCannotBeTakenIsSaidToBeNone) {
     QTest::mouseClick(button("Jog +x"), Qt::LeftButton); // before the loop has answered
     EXPECT_EQ(steps.size(), 1U);
     EXPECT_TRUE(hint().contains(QStringLiteral("was not taken"))) << hint().toStdString();
-    Snapshot moving = snapshot(RunState::Moving);
-    moving.events.push_back({EventCode::MoveStarted, 0.5});
-    panel->add(moving);
-    panel->showSnapshot(moving);
+    panel->add(moving(stepId));
+    panel->showSnapshot(moving(stepId));
     EXPECT_TRUE(button("Jog +x")->isEnabled());
     QTest::mouseClick(button("Jog +x"), Qt::LeftButton);
     EXPECT_EQ(steps.size(), 1U);
@@ -356,12 +363,29 @@ TEST_F(JogPanelTest, NothingIsAskedForWhereItWouldBeRefused) {
     hold("Jog +x");
     EXPECT_TRUE(jogs.empty());
     QTest::mouseRelease(button("Jog +x"), Qt::LeftButton);
-    Snapshot jogging = snapshot(RunState::Moving);
-    jogging.events.push_back({EventCode::JogStarted});
-    panel->add(jogging);
-    panel->showSnapshot(jogging);
-    hold("Jog +x"); // of a jog that comes to rest
-    EXPECT_EQ(jogs.size(), 1U);
+}
+
+/// The loop gives a motion to one press alone; the next waits for its end, as long as it is held.
+TEST_F(JogPanelTest, APressWhileAJogComesToRestStartsTheNextOne) {
+    hold("Jog +x");
+    const MotionId first = jogId;
+    panel->add(moving(first));
+    panel->showSnapshot(moving(first));
+    QTest::mouseRelease(button("Jog +x"), Qt::LeftButton);
+    EXPECT_TRUE(button("Jog -x")->isEnabled());
+    hold("Jog -x");
+    EXPECT_TRUE(held());
+    panel->hold().tick();
+    EXPECT_EQ(jogs.size(), 1U) << "the first still moves";
+    live(RunState::Settling);
+    panel->hold().tick();
+    ASSERT_EQ(jogs.size(), 2U);
+    EXPECT_EQ(jogs[1], (JogDirection{0, false, JogFrame::Base}));
+    EXPECT_NE(jogId, first);
+    panel->add(moving(jogId));
+    panel->showSnapshot(moving(jogId));
+    panel->hold().tick();
+    EXPECT_EQ(jogs.size(), 3U) << "and is repeated in its own motion";
 }
 
 } // namespace

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/machine/machine_state.h"
+#include "tests/support/events.h"
 #include "tests/ui/console/synthetic_machine.h"
 #include "tests/ui/screen_reader.h"
 #include "ui/common/number_field.h"
@@ -10,7 +12,6 @@
 #include "ui/console/motion/target_panel.h"
 #include "ui/console/motion/way_point_table.h"
 #include "ui/console/motion/way_points_panel.h"
-#include "tests/support/events.h"
 
 #include <QComboBox>
 #include <QPushButton>
@@ -45,6 +46,7 @@ protected:
     PlatformGeometry geometry;
     MotionPanel panel;
     std::vector<OperatorCommand> commands;
+    MotionId lastAsked = kNoMotion;
 };
 
 TEST_F(MotionPanelTest, ModeGoesWithRunAndChangingItStartsNothing) {
@@ -82,19 +84,32 @@ TEST_F(MotionPanelTest, SpeedIsSentAsItIsChosenAndAgainWhereTheLoopHasAnother) {
     EXPECT_DOUBLE_EQ(std::get<SpeedCommand>(commands[2]).speedOverride, 0.25);
 }
 
-TEST_F(MotionPanelTest, HeldIsZeroAndThenTheOldSpeed) {
-    panel.speed().setHeld(true);
-    panel.speed().setHeld(false);
+TEST_F(MotionPanelTest, AMotionIsHeldAndGoesOnAtTheOldSpeed) {
+    Snapshot moving = snapshotAt(geometry, Pose{}, Pose{}, RunState::Moving, 1.0);
+    panel.showSnapshot(moving);
+    button("Pause motion")->click();
+    ASSERT_EQ(commands.size(), 1U);
+    EXPECT_TRUE(std::holds_alternative<HoldCommand>(commands[0]));
+    moving.held = true;
+    moving.allowed = allowedCommands({.run = RunState::Moving, .hasControl = true, .held = true});
+    panel.showSnapshot(moving);
+    EXPECT_EQ(spokenText(panel, QStringLiteral("Speed in force")), "held");
+    button("Pause motion")->click();
     ASSERT_EQ(commands.size(), 2U);
-    EXPECT_EQ(std::get<SpeedCommand>(commands[0]).speedOverride, 0.0);
-    EXPECT_EQ(std::get<SpeedCommand>(commands[1]).speedOverride, 1.0);
+    EXPECT_TRUE(std::holds_alternative<ResumeCommand>(commands[1]));
+    panel.showSnapshot(snapshotAt(geometry, Pose{}, Pose{}, RunState::Moving, 1.1));
+    EXPECT_EQ(spokenText(panel, QStringLiteral("Speed in force")), "100 %");
 }
 
-TEST_F(MotionPanelTest, AListEndsWithAnotherMotionThatBeginsAndNotWithAWish) {
+TEST_F(MotionPanelTest, AListEndsWithAnotherMotionThatIsAcceptedAndNotWithAWish) {
     double now = 1.0;
+    MotionId id = kNoMotion; // of the motion that the loop has
+    QObject::connect(&panel.wayPoints(), &WayPointsPanel::runRequested,
+                     [this](const Pose&, MotionId asked) { lastAsked = asked; });
     const auto feed = [&](RunState state, std::vector<Event> events = {}) {
         Snapshot snapshot = snapshotAt(geometry, Pose{}, Pose{}, state, now += 0.01);
         snapshot.events = std::move(events);
+        snapshot.motionId = id;
         panel.add(snapshot);
         panel.showSnapshot(snapshot);
     };
@@ -105,22 +120,24 @@ TEST_F(MotionPanelTest, AListEndsWithAnotherMotionThatBeginsAndNotWithAWish) {
         button("Play")->click();
         feed(RunState::Enabled);
         EXPECT_EQ(spokenText(panel, QStringLiteral("Target x")), "7.00") << "nothing has begun";
+        id = lastAsked;
         feed(RunState::Moving, {{EventCode::MoveStarted, 1.0}});
         EXPECT_EQ(spokenText(panel, QStringLiteral("Target x")), "1.00");
         // In mid-move whatever is asked for is refused, and changes nothing.
         for (const char* name : {"Run", "Guided test", "Play", "Step"}) {
             EXPECT_FALSE(button(name)->isEnabled()) << name;
         }
-        emit panel.jog().jogRequested({});
-        emit panel.target().runRequested(poseOf(3, 0, 0, 0, 0, 0));
+        emit panel.jog().jogRequested({}, 1234);
+        emit panel.target().runRequested(poseOf(3, 0, 0, 0, 0, 0), 1235);
         panel.guidedTest().start();
-        feed(RunState::Moving, {eventFrom("command-refused jog in moving"),
-                                eventFrom("command-refused run in moving")});
+        feed(RunState::Moving,
+             {eventFrom("command-refused jog in moving"), eventFrom("command-refused run in moving")});
         EXPECT_TRUE(panel.wayPoints().isRunning());
         EXPECT_FALSE(panel.guidedTest().isRunning());
         EXPECT_EQ(spokenText(panel, QStringLiteral("Target x")), "1.00");
         feed(RunState::Settling);
-        feed(RunState::Moving, {{other, 1.0, {}}});
+        id = 1236;
+        feed(RunState::Moving, {{other}});
         EXPECT_FALSE(panel.wayPoints().isRunning());
         EXPECT_EQ(spokenText(panel, QStringLiteral("Way-point progress")),
                   "Ended at way-point 1: another motion was commanded");

@@ -283,14 +283,14 @@ TEST_F(OperatorWindowTest, NothingThatIsRefusedEndsAListOrItsHold) {
     button("Play")->click();
     ASSERT_TRUE(waitFor([this] { return window.latest().state == RunState::Moving; }));
     button("Pause motion")->click();
-    ASSERT_TRUE(waitFor([this] { return window.latest().speed == 0.0; }));
+    ASSERT_TRUE(waitFor([this] { return window.latest().held; }));
     type("Target z", "5");
     for (const char* name : {"Run", "Guided test", "Run report", "Play", "Step"}) {
         EXPECT_FALSE(button(name)->isEnabled()) << name;
         button(name)->click();
     }
     // Whoever asks all the same is refused by the loop.
-    emit window.targetPanel().runRequested(poseOf(0, 0, 5, 0, 0, 0));
+    emit window.targetPanel().runRequested(poseOf(0, 0, 5, 0, 0, 0), 1234);
     window.reportPanel().runList({poseOf(1, 0, 0, 0, 0, 0)});
     ASSERT_TRUE(waitFor([this] { return !window.reportPanel().isRunning(); }));
     ASSERT_TRUE(waitFor([this] { return happened("cannot be carried out"); }));
@@ -298,7 +298,7 @@ TEST_F(OperatorWindowTest, NothingThatIsRefusedEndsAListOrItsHold) {
     ASSERT_TRUE(waitFor([&] { return window.latest().cycle > cycle + 20; }));
     EXPECT_TRUE(list.isRunning());
     EXPECT_TRUE(button("Pause motion")->isChecked());
-    EXPECT_EQ(window.latest().speed, 0.0);
+    EXPECT_TRUE(window.latest().held);
     EXPECT_EQ(window.latest().state, RunState::Moving);
     EXPECT_EQ(spoken("Target z"), "5");
     button("Pause motion")->click(); // and goes on where it was
@@ -316,11 +316,11 @@ TEST_F(OperatorWindowTest, StopEndsAListAndSoDoesAnotherMotion) {
     EXPECT_TRUE(list.isRunning());
     EXPECT_EQ(spoken("Target z"), "20.00") << "the fields show where it goes";
     button("Pause motion")->click();
-    ASSERT_TRUE(waitFor([this] { return window.latest().speed == 0.0; }));
+    ASSERT_TRUE(waitFor([this] { return window.latest().held; }));
     EXPECT_EQ(window.latest().state, RunState::Moving);
     button("Stop")->click();
     EXPECT_FALSE(list.isRunning());
-    ASSERT_TRUE(waitFor([this] { return window.latest().speed == 1.0; })) << "a stop ends the holding too";
+    ASSERT_TRUE(waitFor([this] { return !window.latest().held; })) << "a stop ends the hold too";
     EXPECT_TRUE(spoken("Way-point progress").contains(QStringLiteral("Stopped on the way to way-point 1")));
     ASSERT_TRUE(waitFor([this] { return spoken("State") == "Stopped"; }));
     button("Clear")->click();
@@ -329,7 +329,7 @@ TEST_F(OperatorWindowTest, StopEndsAListAndSoDoesAnotherMotion) {
     EXPECT_TRUE(list.isRunning());
     // In the moment between two way-points another motion can come in.
     ASSERT_TRUE(waitFor([this] { return window.latest().state == RunState::Settling; }));
-    window.session()->post(RunCommand{poseOf(0, 5, 0, 0, 0, 0), MotionMode::Joint});
+    window.session()->post(RunCommand{poseOf(0, 5, 0, 0, 0, 0), MotionMode::Joint, 1234});
     ASSERT_TRUE(waitFor([&list] { return !list.isRunning(); }));
     EXPECT_TRUE(spoken("Way-point progress").contains(QStringLiteral("another motion")));
     button("Stop")->click();

@@ -26,19 +26,25 @@ protected:
         panel.setSolver(newtonSolver(geometry));
         panel.setConnected(true);
         panel.setDefaultFolder(folder.path() + QStringLiteral("/run-report"));
-        QObject::connect(&panel, &ReportPanel::runRequested, [this](const Pose& pose) { asked = pose; });
+        QObject::connect(&panel, &ReportPanel::runRequested, [this](const Pose& pose, MotionId id) {
+            asked = pose;
+            askedId = id;
+        });
     }
 
-    /// A move to a pose, settled, and `standing` seconds of standing there.
-    void move(const Pose& to, double standing = 1.5) {
-        Snapshot begun = snapshotAt(geometry, to, to, RunState::Moving, now += 0.01);
-        begun.events.push_back({EventCode::MoveStarted, 1.0});
-        panel.add(begun);
-        Snapshot settled = snapshotAt(geometry, to, to, RunState::Enabled, now += 0.01);
-        settled.events.push_back({EventCode::Settled, 1.0});
-        panel.add(settled);
+    Snapshot at(const Pose& pose, RunState state, MotionId id, std::vector<Event> events = {}) {
+        Snapshot snapshot = snapshotAt(geometry, pose, pose, state, now += 0.01);
+        snapshot.motionId = id;
+        snapshot.events = std::move(events);
+        return snapshot;
+    }
+    /// The move that was asked for last, or somebody's, settled, and `standing` seconds of standing there.
+    void move(const Pose& to, double standing = 1.5, std::optional<MotionId> id = {}) {
+        const MotionId its = id.value_or(askedId);
+        panel.add(at(to, RunState::Moving, its, {{EventCode::MoveStarted, 1.0}}));
+        panel.add(at(to, RunState::Enabled, its, {{EventCode::Settled, 1.0}}));
         for (double t = 0.0; t < standing; t += 0.01) {
-            panel.add(snapshotAt(geometry, to, to, RunState::Enabled, now += 0.01));
+            panel.add(at(to, RunState::Enabled, its));
         }
     }
     QPushButton* button(const char* name) {
@@ -49,6 +55,7 @@ protected:
     QTemporaryDir folder;
     ReportPanel panel;
     std::optional<Pose> asked;
+    MotionId askedId = kNoMotion;
     double now = 0.0;
 };
 
@@ -110,7 +117,7 @@ TEST_F(ReportPanelTest, AnotherMotionEndsTheListAndThatIsTold) {
     ASSERT_TRUE(asked);
     move(*asked, 0.5);
     EXPECT_TRUE(panel.isRunning());
-    move(poseOf(1, 0, 0, 0, 0, 0)); // somebody else's
+    move(poseOf(1, 0, 0, 0, 0, 0), 1.5, 1234); // somebody else's
     EXPECT_FALSE(panel.isRunning());
     EXPECT_EQ(spokenText(panel, QStringLiteral("Report progress")),
               "Ended early: another motion was commanded");

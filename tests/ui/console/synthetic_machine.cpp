@@ -6,6 +6,7 @@
 #include "core/geometry/geometry_file.h"
 #include "core/kinematics/inverse_kinematics.h"
 #include "core/kinematics/newton/newton_raphson.h"
+#include "core/machine/machine_state.h"
 
 namespace hexapose::testing {
 
@@ -33,6 +34,7 @@ Snapshot snapshotAt(const PlatformGeometry& geometry, const Pose& measured, cons
     snapshot.wallTime = std::chrono::system_clock::now();
     snapshot.state = state;
     snapshot.link = LinkState::Connected;
+    snapshot.allowed = allowedCommands({.run = state, .hasControl = true});
     snapshot.fresh = true;
     snapshot.stale = false;
     snapshot.age = std::chrono::milliseconds(4);

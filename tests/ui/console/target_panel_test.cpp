@@ -117,6 +117,23 @@ TEST_F(TargetPanelTest, ValidityFollowsTheTypingAndSaysWhyNot) {
     EXPECT_EQ(validity(), "Reachable");
 }
 
+TEST_F(TargetPanelTest, RunIsGreyBesideARedVerdictAndInMidMoveWithTheReason) {
+    live(Pose{});
+    type("Target z", "200");
+    EXPECT_FALSE(button("Run")->isEnabled());
+    EXPECT_EQ(button("Run")->toolTip(), validity());
+    EXPECT_EQ(button("Run")->accessibleDescription(), validity());
+    type("Target z", "20");
+    EXPECT_TRUE(button("Run")->isEnabled());
+    panel.showSnapshot(snapshotAt(geometry, Pose{}, Pose{}, RunState::Moving, 1.1));
+    EXPECT_FALSE(button("Run")->isEnabled());
+    EXPECT_EQ(validity(), "Cannot run while the platform moves");
+    // A press that comes all the same, as from a program, asks for nothing.
+    QSignalSpy runs(&panel, &TargetPanel::runRequested);
+    panel.run();
+    EXPECT_EQ(runs.count(), 0);
+}
+
 TEST_F(TargetPanelTest, LimitsOfTheControllerNarrowThoseOfThePlatform) {
     Snapshot snapshot = snapshotAt(geometry, Pose{}, Pose{}, RunState::Enabled, 1.0);
     const LegLengths home = geometry.homeLengths();

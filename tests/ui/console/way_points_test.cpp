@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/machine/machine_state.h"
 #include "core/record/pose_list.h"
 #include "tests/support/events.h"
 #include "tests/ui/console/synthetic_machine.h"
@@ -21,8 +22,10 @@ using namespace hexapose::testing;
 class WayPointsTest : public ::testing::Test {
 protected:
     WayPointsTest() : geometry(laboratoryPlatform()), panel(geometry) {
-        QObject::connect(&panel, &WayPointsPanel::runRequested,
-                         [this](const Pose& pose) { asked.push_back(pose); });
+        QObject::connect(&panel, &WayPointsPanel::runRequested, [this](const Pose& pose, MotionId id) {
+            asked.push_back(pose);
+            lastId = id;
+        });
         QObject::connect(&panel, &WayPointsPanel::holdRequested, [this](bool on) { holds.push_back(on); });
         panel.show();
         panel.setConnected(true);
@@ -31,7 +34,16 @@ protected:
     void feed(const Pose& at, RunState state, std::vector<Event> events = {}) {
         Snapshot snapshot = snapshotAt(geometry, at, at, state, now += 0.01);
         snapshot.events = std::move(events);
+        snapshot.motionId = lastId;
         panel.add(snapshot);
+    }
+    /// As the screen sees it.
+    void show(RunState state, bool held = false) {
+        Snapshot snapshot = snapshotAt(geometry, Pose{}, Pose{}, state, now);
+        snapshot.allowed = allowedCommands({.run = state, .hasControl = true, .held = held});
+        snapshot.held = held;
+        snapshot.motionId = lastId;
+        panel.showSnapshot(snapshot);
     }
     QPushButton* button(const char* name) {
         return qobject_cast<QPushButton*>(findByName(panel, QString::fromLatin1(name)));
@@ -45,6 +57,7 @@ protected:
     PlatformGeometry geometry;
     WayPointsPanel panel;
     std::vector<Pose> asked;
+    MotionId lastId = kNoMotion;
     std::vector<bool> holds;
     const std::vector<Pose> three{poseOf(5, 0, 0, 0, 0, 0), poseOf(5, 5, 0, 0, 0, 0),
                                   poseOf(0, 5, 0, 0, 0, 2)};
@@ -102,14 +115,72 @@ TEST_F(WayPointsTest, PauseHoldsAndReleases) {
     EXPECT_FALSE(button("Pause motion")->isEnabled());
     button("Play")->click();
     feed(Pose{}, RunState::Enabled);
-    feed(Pose{}, RunState::Moving);
+    feed(Pose{}, RunState::Moving, {{EventCode::MoveStarted, 2.0}});
+    show(RunState::Moving);
     button("Pause motion")->click();
+    show(RunState::Moving); // not yet answered: it is not asked for again
+    EXPECT_EQ(holds, std::vector<bool>{true});
+    EXPECT_TRUE(button("Pause motion")->isChecked());
+    show(RunState::Moving, true);
+    EXPECT_TRUE(button("Pause motion")->isChecked());
     button("Pause motion")->click();
     EXPECT_EQ(holds, (std::vector<bool>{true, false}));
+    show(RunState::Moving);
+    EXPECT_FALSE(button("Pause motion")->isChecked());
     button("Pause motion")->click();
     panel.stopped();
-    EXPECT_EQ(holds, (std::vector<bool>{true, false, true, false})) << "a stop leaves nothing held";
+    show(RunState::Stopped);
+    EXPECT_EQ(holds, (std::vector<bool>{true, false, true})) << "the loop lets go by itself";
     EXPECT_FALSE(button("Pause motion")->isChecked());
+}
+
+/// There the loop has nothing to hold.
+TEST_F(WayPointsTest, PauseBetweenTwoWayPointsKeepsTheNextBack) {
+    panel.table().setPoses(three);
+    button("Play")->click();
+    feed(Pose{}, RunState::Enabled);
+    feed(three[0], RunState::Moving, {{EventCode::MoveStarted, 2.0}});
+    show(RunState::Settling);
+    button("Pause motion")->click();
+    feed(three[0], RunState::Enabled, {{EventCode::Settled, 1.0}});
+    show(RunState::Enabled);
+    EXPECT_EQ(asked.size(), 1U);
+    EXPECT_TRUE(panel.isRunning());
+    EXPECT_TRUE(button("Pause motion")->isChecked());
+    button("Pause motion")->click();
+    EXPECT_EQ(asked.size(), 2U);
+    EXPECT_TRUE(holds.empty());
+    // Pressed before the motion begins that was asked for: held when it does.
+    button("Pause motion")->click();
+    feed(three[0], RunState::Moving, {{EventCode::MoveStarted, 2.0}});
+    show(RunState::Moving);
+    EXPECT_EQ(holds, std::vector<bool>{true});
+}
+
+TEST_F(WayPointsTest, AHoldOutlivesTheList) {
+    panel.table().setPoses(three);
+    button("Play")->click();
+    feed(Pose{}, RunState::Enabled);
+    feed(Pose{}, RunState::Moving, {{EventCode::MoveStarted, 2.0}});
+    show(RunState::Moving, true);
+    lastId = 1234; // another motion has taken over
+    feed(Pose{}, RunState::Moving);
+    EXPECT_FALSE(panel.isRunning());
+    show(RunState::Moving, true);
+    EXPECT_TRUE(button("Pause motion")->isChecked());
+    EXPECT_TRUE(button("Pause motion")->isEnabled());
+    EXPECT_TRUE(holds.empty());
+    button("Pause motion")->click();
+    EXPECT_EQ(holds, std::vector<bool>{false});
+}
+
+TEST_F(WayPointsTest, RowsAreNumberedAnewAfterARemoval) {
+    panel.table().setPoses(three);
+    panel.table().setCurrentCell(1, 0);
+    button("Remove way-point")->click();
+    ASSERT_EQ(panel.table().rowCount(), 2);
+    EXPECT_EQ(panel.table().verticalHeaderItem(0)->text(), "1");
+    EXPECT_EQ(panel.table().verticalHeaderItem(1)->text(), "2");
 }
 
 TEST_F(WayPointsTest, ARefusalAFaultAndAStopEndItWithTheirReason) {

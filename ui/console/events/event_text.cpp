@@ -171,7 +171,8 @@ EventText progressText(const Event& event) {
     case EventCode::Disabled:
         return {EventWords::tr("Disabled"), {}, Tone::Idle};
     case EventCode::MoveStarted:
-        return {EventWords::tr("Move started, %1 s planned").arg(fixed(event.value(), 1)), {}, Tone::Idle};
+        return {
+            EventWords::tr("Move started: %1 s at full speed").arg(fixed(event.value(), 1)), {}, Tone::Idle};
     case EventCode::JogStarted:
         return {EventWords::tr("Jog started"), {}, Tone::Idle};
     case EventCode::Settled:

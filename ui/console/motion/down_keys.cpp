@@ -24,3 +24,5 @@ void DownKeys::release(int key) {
 }
 
 } // namespace hexapose
+
+#include "moc_down_keys.cpp"

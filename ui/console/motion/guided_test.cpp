@@ -33,8 +33,8 @@ std::optional<Pose> guidedAttitude(const MoveJudge& judge, const std::optional<P
 }
 
 GuidedTest::GuidedTest(const PlatformGeometry& geometry, std::shared_ptr<const ForwardSolver> solver,
-                       const Pose& target)
-    : m_geometry(geometry), m_solver(std::move(solver)), m_target(target), m_run({target}, kStandsFor) {}
+                       const Pose& target, MotionId id)
+    : m_geometry(geometry), m_solver(std::move(solver)), m_target(target), m_run({target}, kStandsFor, id) {}
 
 std::optional<Pose> GuidedTest::add(const Snapshot& snapshot) {
     if (m_step == Step::Done || m_step == Step::Failed) {

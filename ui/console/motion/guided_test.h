@@ -22,7 +22,7 @@ public:
     enum class Step { Move, Settle, Average, Solve, Done, Failed };
 
     GuidedTest(const PlatformGeometry& geometry, std::shared_ptr<const ForwardSolver> solver,
-               const Pose& target);
+               const Pose& target, MotionId id);
     /// The target, when its Run is due.
     std::optional<Pose> add(const Snapshot& snapshot);
     Step step() const { return m_step; }
@@ -30,7 +30,7 @@ public:
     /// Of a test that is done.
     const std::optional<ErrorRow>& result() const { return m_result; }
     /// Whether the loop took its Run.
-    bool begun() const { return m_run.begun() > 0; }
+    bool accepted() const { return m_run.accepted() > 0; }
     const PoseSequence& run() const { return m_run; }
 
 private:

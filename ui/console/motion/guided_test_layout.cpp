@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/units.h"
 #include "ui/common/card.h"
+#include "ui/common/labelled.h"
 #include "ui/common/read_out.h"
 #include "ui/common/status_text.h"
 #include "ui/console/motion/guided_test_panel.h"
@@ -116,10 +117,9 @@ void GuidedTestPanel::showResult() {
 }
 
 void GuidedTestPanel::retranslate() {
-    m_start->setText(tr("Guided test"));
-    m_start->setAccessibleName(tr("Guided test"));
-    m_start->setToolTip(tr("Go to the attitude of the published test, wait until it has settled, average the "
-                           "lengths for 1 s, solve and compare; the platform moves"));
+    label(*m_start, tr("Guided test"),
+          tr("Go to the attitude of the published test, wait until it has settled, average the "
+             "lengths for 1 s, solve and compare; the platform moves"));
     const QString steps[] = {tr("Move to the attitude"), tr("Wait until it has settled"),
                              tr("Average the lengths for 1 s"), tr("Solve and compare")};
     for (std::size_t i = 0; i < m_stepTexts.size(); ++i) {

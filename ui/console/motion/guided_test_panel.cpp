@@ -67,7 +67,7 @@ void GuidedTestPanel::start() {
         tell([] { return tr("No attitude of this test can be reached from here. Nothing moved."); });
         return;
     }
-    m_test.emplace(m_judge.geometry(), m_solver, *target);
+    m_test.emplace(m_judge.geometry(), m_solver, *target, m_ids.take());
     m_ended = false;
     tell([] { return tr("The test is under way; Stop ends it"); });
     showSteps();
@@ -79,14 +79,14 @@ void GuidedTestPanel::add(const Snapshot& snapshot) {
         return;
     }
     const GuidedTest::Step before = m_test->step();
-    const bool begun = m_test->begun();
+    const bool accepted = m_test->accepted();
     const auto due = m_test->add(snapshot);
-    if (m_test->begun()) {
+    if (m_test->accepted()) {
         m_shown = m_test; // until then the result of the one before stands
     }
-    if (m_test->begun() && !begun) {
+    if (m_test->accepted() && !accepted) {
         showResult();
-        emit runBegun(m_test->target());
+        emit runAccepted(m_test->target());
     }
     if (m_test->step() == GuidedTest::Step::Failed) {
         end([run = m_test->run()] { return tr("Ended early: %1").arg(sequenceEndText(run)); });
@@ -101,7 +101,7 @@ void GuidedTestPanel::add(const Snapshot& snapshot) {
         showSteps();
     }
     if (due) {
-        emit runRequested(*due);
+        emit runRequested(*due, m_test->run().id());
     }
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/common/motion_ids.h"
 #include "ui/console/motion/guided_test.h"
 
 #include <QWidget>
@@ -42,8 +43,8 @@ public slots:
     void start();
 
 signals:
-    void runRequested(const hexapose::Pose& target);
-    void runBegun(const hexapose::Pose& target); ///< the loop took it
+    void runRequested(const hexapose::Pose& target, hexapose::MotionId id);
+    void runAccepted(const hexapose::Pose& target);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -69,6 +70,7 @@ private:
     void retranslate();
 
     MoveJudge m_judge;
+    MotionIds m_ids{MotionAsker::GuidedTest};
     std::shared_ptr<const ForwardSolver> m_solver;
     MotionMode m_mode = MotionMode::Joint;
     std::optional<Pose> m_measured; ///< present and usable

@@ -37,7 +37,12 @@ JogPanel::JogPanel(const PlatformGeometry& geometry, QWidget* parent,
                    std::function<JogHold::Clock::time_point()> now)
     : QWidget(parent), m_judge(geometry), m_hold([this] { return mayGoOn(); }, std::move(now)) {
     build();
-    connect(&m_hold, &JogHold::held, this, &JogPanel::jogRequested);
+    connect(&m_hold, &JogHold::held, this, [this](const JogDirection& direction) {
+        // While the jog before comes to rest this one waits, as long as its button is held.
+        if (m_latest.motionId == m_jogId || m_latest.allowed.contains(Command::Jog)) {
+            emit jogRequested(direction, m_jogId);
+        }
+    });
     connect(&m_hold, &JogHold::released, this, [this] {
         if (m_heldByKey) {
             std::for_each(m_buttons.begin(), m_buttons.end(), [](QPushButton* one) { one->setDown(false); });
@@ -66,19 +71,15 @@ void JogPanel::setConnected(bool connected) {
 
 void JogPanel::add(const Snapshot& snapshot) {
     for (const Event& event : snapshot.events) {
-        m_jogging = m_jogging || event.code == EventCode::JogStarted;
-        if (event.code == EventCode::MoveStarted) {
-            m_stepping = std::exchange(m_stepAsked, false);
-        }
         if (endsTheJog(event.code)) {
             m_hold.end();
             m_stepAsked = false;
         }
     }
-    if (snapshot.state != RunState::Moving) {
-        m_jogging = m_stepping = false;
-    }
-    m_stepAsked = m_stepAsked && drivesOn(snapshot.state);
+    const bool moving = snapshot.state == RunState::Moving;
+    m_jogging = moving && isMotionOf(MotionAsker::Jog, snapshot.motionId);
+    m_stepping = moving && isMotionOf(MotionAsker::JogStep, snapshot.motionId);
+    m_stepAsked = m_stepAsked && snapshot.motionId != m_stepId && drivesOn(snapshot.state);
 }
 
 void JogPanel::showSnapshot(const Snapshot& snapshot) {
@@ -101,8 +102,7 @@ std::optional<double> JogPanel::step(int axis) const {
 
 bool JogPanel::canHold() const {
     return m_connected && !m_latest.stale && m_latest.measuredPose &&
-           (m_latest.state == RunState::Enabled || m_latest.state == RunState::Settling ||
-            (m_latest.state == RunState::Moving && m_jogging));
+           (m_latest.allowed.contains(Command::Jog) || m_jogging);
 }
 
 /// Asked before each repetition, besides the events that end a jog at once.
@@ -114,6 +114,7 @@ bool JogPanel::mayGoOn() const {
 
 void JogPanel::press(const JogDirection& direction) {
     if (canHold()) {
+        m_jogId = m_jogIds.take();
         m_hold.start(direction);
     }
 }
@@ -130,7 +131,9 @@ void JogPanel::takeStep(const JogDirection& direction) {
     }
     m_stepAsked = true;
     // From where it was sent, so that steps add up; after a jog or a stop from where it is.
-    emit stepRequested(stepped(m_latest.goalPose.value_or(*m_latest.measuredPose), direction, *size));
+    m_stepId = m_stepIds.take();
+    emit stepRequested(stepped(m_latest.goalPose.value_or(*m_latest.measuredPose), direction, *size),
+                       m_stepId);
 }
 
 /// The direction that a key means there: space that of the button with the focus.

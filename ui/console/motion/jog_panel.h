@@ -4,6 +4,7 @@
 
 #include "core/motion/jog.h"
 #include "core/record/snapshot.h"
+#include "ui/common/motion_ids.h"
 #include "ui/console/motion/down_keys.h"
 #include "ui/console/motion/jog_hold.h"
 #include "ui/console/motion/move_judge.h"
@@ -45,9 +46,9 @@ public:
     bool isAllUp() const { return m_keys.isEmpty() && !m_mouseDown; }
 
 signals:
-    void jogRequested(const hexapose::JogDirection& direction);
+    void jogRequested(const hexapose::JogDirection& direction, hexapose::MotionId id);
     void releaseRequested();
-    void stepRequested(const hexapose::Pose& target);
+    void stepRequested(const hexapose::Pose& target, hexapose::MotionId id);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -85,14 +86,18 @@ private:
     Snapshot m_latest;
     QString m_hindrance; ///< that the buttons show
     bool m_connected = false;
-    bool m_jogging = false;   ///< what moves is a jog of ours
-    bool m_stepAsked = false; ///< a step was asked for, and no answer has come yet
-    bool m_stepping = false;  ///< what moves is a step of ours
-    bool m_tooSoon = false;   ///< the last step was asked for while another was under way
-    bool m_heldByKey = false; ///< and not by the mouse
-    DownKeys m_keys;          ///< on the pad
-    bool m_mouseDown = false; ///< on a button, or with the pointer moved off it
-    bool m_mouseUsed = false; ///< that press has started its jog
+    MotionIds m_jogIds{MotionAsker::Jog};
+    MotionIds m_stepIds{MotionAsker::JogStep};
+    MotionId m_jogId = kNoMotion;  ///< of the present or last press
+    MotionId m_stepId = kNoMotion; ///< of the last step
+    bool m_jogging = false;        ///< what moves is a jog of ours
+    bool m_stepAsked = false;      ///< a step was asked for, and no answer has come yet
+    bool m_stepping = false;       ///< what moves is a step of ours
+    bool m_tooSoon = false;        ///< the last step was asked for while another was under way
+    bool m_heldByKey = false;      ///< and not by the mouse
+    DownKeys m_keys;               ///< on the pad
+    bool m_mouseDown = false;      ///< on a button, or with the pointer moved off it
+    bool m_mouseUsed = false;      ///< that press has started its jog
     QPushButton* m_heldButton = nullptr;
     QElapsedTimer m_sinceRanges;
     QLabel* m_frameLabel = nullptr;

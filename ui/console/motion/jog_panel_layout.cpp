@@ -144,7 +144,11 @@ QString JogPanel::hindrance() const {
     case RunState::Settling:
         break;
     }
-    return {};
+    if (m_latest.allowed.contains(Command::Jog)) {
+        return {};
+    }
+    return m_latest.allowed.contains(Command::Enable) ? tr("Press Enable first; a jog needs the drives on")
+                                                      : tr("Wait until the motion is over, or press Stop");
 }
 
 void JogPanel::showHint() {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/console/motion/motion_panel.h"
 
+#include "ui/common/labelled.h"
 #include "ui/console/motion/guided_test_panel.h"
 #include "ui/console/motion/jog_panel.h"
 #include "ui/console/motion/speed_control.h"
@@ -77,23 +78,28 @@ void MotionPanel::wire() {
     stopKey->setContext(Qt::ApplicationShortcut);
     connect(stopKey, &QShortcut::activated, this, &MotionPanel::stop);
 
-    // What is asked for here changes nothing by itself: a list or a test ends when the loop has begun another
-    // motion, which it sees in the snapshots.
-    const auto run = [this](const Pose& pose) { emit commandRequested(RunCommand{pose, mode()}); };
+    // What is asked for here changes nothing by itself: a list or a test ends when the loop has accepted
+    // another motion, which it sees in the snapshots.
+    const auto run = [this](const Pose& pose, MotionId id) {
+        emit commandRequested(RunCommand{pose, mode(), id});
+    };
     connect(m_target, &TargetPanel::runRequested, this, run);
     connect(m_wayPoints, &WayPointsPanel::runRequested, this, run);
     connect(m_test, &GuidedTestPanel::runRequested, this, run);
-    connect(m_wayPoints, &WayPointsPanel::runBegun, m_target, &TargetPanel::setTarget);
-    connect(m_test, &GuidedTestPanel::runBegun, m_target, &TargetPanel::setTarget);
-    connect(m_jog, &JogPanel::stepRequested, this, [this](const Pose& pose) {
-        emit commandRequested(RunCommand{pose, MotionMode::Workspace});
+    connect(m_wayPoints, &WayPointsPanel::runAccepted, m_target, &TargetPanel::setTarget);
+    connect(m_test, &GuidedTestPanel::runAccepted, m_target, &TargetPanel::setTarget);
+    connect(m_jog, &JogPanel::stepRequested, this, [this](const Pose& pose, MotionId id) {
+        emit commandRequested(RunCommand{pose, MotionMode::Workspace, id});
     });
-    connect(m_jog, &JogPanel::jogRequested, this,
-            [this](const JogDirection& direction) { emit commandRequested(JogCommand{direction}); });
+    connect(m_jog, &JogPanel::jogRequested, this, [this](const JogDirection& direction, MotionId id) {
+        emit commandRequested(JogCommand{direction, 1.0, id});
+    });
     connect(m_jog, &JogPanel::releaseRequested, this, [this] { emit commandRequested(JogReleaseCommand{}); });
     m_wayPoints->setTargetSource([this] { return m_target->target(); });
     connect(m_target, &TargetPanel::targetEdited, m_wayPoints, &WayPointsPanel::updateButtons);
-    connect(m_wayPoints, &WayPointsPanel::holdRequested, m_speed, &SpeedControl::setHeld);
+    connect(m_wayPoints, &WayPointsPanel::holdRequested, this, [this](bool hold) {
+        emit commandRequested(hold ? OperatorCommand(HoldCommand{}) : OperatorCommand(ResumeCommand{}));
+    });
 }
 
 void MotionPanel::stop() {
@@ -162,9 +168,8 @@ void MotionPanel::retranslate() {
     m_tabs->setTabText(Jog, tr("Jog"));
     m_tabs->setTabText(WayPoints, tr("Way-points"));
     m_tabs->setTabText(Test, tr("Test"));
-    m_stop->setText(tr("Stop  (Esc)"));
-    m_stop->setAccessibleName(tr("Stop"));
-    m_stop->setToolTip(tr("Stop the motion (Esc). This is not the emergency stop of the machine."));
+    label(*m_stop, tr("Stop  (Esc)"), tr("Stop"),
+          tr("Stop the motion (Esc). This is not the emergency stop of the machine."));
 }
 
 void MotionPanel::changeEvent(QEvent* event) {

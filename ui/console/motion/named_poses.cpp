@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/console/motion/named_poses.h"
 
+#include "ui/common/labelled.h"
+
 #include <QComboBox>
 #include <QEvent>
 #include <QHBoxLayout>
@@ -116,12 +118,8 @@ void NamedPoses::retranslate() {
     }
     m_box->lineEdit()->setPlaceholderText(tr("Named poses"));
     m_box->setToolTip(tr("Choose a pose to put it into the fields, or type a name to keep them under"));
-    m_keep->setText(tr("Keep"));
-    m_keep->setAccessibleName(tr("Keep pose"));
-    m_keep->setToolTip(tr("Keep the fields under this name; nothing moves"));
-    m_remove->setText(tr("Remove"));
-    m_remove->setAccessibleName(tr("Remove pose"));
-    m_remove->setToolTip(tr("Forget the pose of this name"));
+    label(*m_keep, tr("Keep"), tr("Keep pose"), tr("Keep the fields under this name; nothing moves"));
+    label(*m_remove, tr("Remove"), tr("Remove pose"), tr("Delete this pose"));
 }
 
 void NamedPoses::changeEvent(QEvent* event) {

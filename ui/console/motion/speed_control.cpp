@@ -48,16 +48,7 @@ SpeedControl::SpeedControl(QWidget* parent)
 }
 
 double SpeedControl::part() const {
-    return m_held ? 0.0 : static_cast<double>(m_slider->value()) / kFullPercent;
-}
-
-void SpeedControl::setHeld(bool held) {
-    if (held == m_held) {
-        return;
-    }
-    m_held = held;
-    showPart();
-    say();
+    return static_cast<double>(m_slider->value()) / kFullPercent;
 }
 
 void SpeedControl::say() {
@@ -66,6 +57,10 @@ void SpeedControl::say() {
 }
 
 void SpeedControl::showSnapshot(const Snapshot& snapshot) {
+    if (snapshot.held != m_held) {
+        m_held = snapshot.held;
+        showPart();
+    }
     const bool loop = snapshot.link != LinkState::Lost && snapshot.measuredLengths.has_value();
     const bool differs = std::abs(snapshot.speed - part()) > kSamePart;
     if (loop && differs && (!m_sinceSaid.isValid() || m_sinceSaid.elapsed() > kSayAgainMs)) {

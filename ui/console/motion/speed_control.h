@@ -14,7 +14,7 @@ namespace hexapose {
 
 class ReadOut;
 
-/// The operator's part of full speed, 5 to 100 %, and 0 while a motion is held on its path.
+/// The operator's speed override, 5 to 100 %; it says so while a motion is held on its path.
 class SpeedControl final : public QWidget {
     Q_OBJECT
 public:
@@ -22,9 +22,6 @@ public:
 
     /// What the loop should have, 0..1.
     double part() const;
-    /// Holds whatever moves where it is on its path; again: on at the speed that the slider says.
-    void setHeld(bool held);
-    bool isHeld() const { return m_held; }
     /// Says the speed again where the loop has another: it may be a new loop, or a stop may have swept the
     /// command away.
     void showSnapshot(const Snapshot& snapshot);

@@ -4,6 +4,7 @@
 
 #include "core/base/number_text.h"
 #include "ui/common/card.h"
+#include "ui/common/labelled.h"
 #include "ui/common/number_field.h"
 #include "ui/common/read_out.h"
 #include "ui/common/status_text.h"
@@ -235,7 +236,7 @@ std::optional<Pose> TargetPanel::target() const {
 void TargetPanel::run() {
     judge();
     if (const auto pose = target(); pose && runReason().isEmpty()) {
-        emit runRequested(*pose);
+        emit runRequested(*pose, m_ids.take());
     }
 }
 
@@ -311,14 +312,9 @@ void TargetPanel::retranslate() {
     }
     m_rangeTitle->setText(tr("range from here"));
     m_validity->setAccessibleName(tr("Validity"));
-    const auto name = [](QPushButton* button, const QString& text, const QString& tip) {
-        button->setText(text);
-        button->setAccessibleName(text);
-        button->setToolTip(tip);
-    };
-    name(m_run, tr("Run"), {});
-    name(m_reset, tr("Reset"), tr("Put the home pose into the fields; nothing moves"));
-    name(m_copy, tr("Copy measured"), tr("Put the measured pose into the fields; nothing moves"));
+    label(*m_run, tr("Run"));
+    label(*m_reset, tr("Reset"), tr("Put the home pose into the fields; nothing moves"));
+    label(*m_copy, tr("Copy measured"), tr("Put the measured pose into the fields; nothing moves"));
     updateRun();
     showVerdict();
     showRanges();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/record/snapshot.h"
+#include "ui/common/motion_ids.h"
 #include "ui/console/motion/move_judge.h"
 
 #include <QElapsedTimer>
@@ -45,7 +46,7 @@ public slots:
     void run();
 
 signals:
-    void runRequested(const hexapose::Pose& target);
+    void runRequested(const hexapose::Pose& target, hexapose::MotionId id);
     void targetEdited(); ///< or judged anew
 
 protected:
@@ -67,6 +68,7 @@ private:
     void retranslate();
 
     MoveJudge m_judge;
+    MotionIds m_ids{MotionAsker::Target};
     MotionMode m_mode = MotionMode::Joint;
     QString m_hindrance; ///< why Run cannot be pressed, though something is connected
     bool m_connected = false;

@@ -48,6 +48,15 @@ public:
         m_opened(field);
         return field;
     }
+    /// Wider than most cells: what is typed is to be seen whole.
+    void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
+                              const QModelIndex& /*index*/) const override {
+        const int width = editor->fontMetrics().horizontalAdvance(QStringLiteral("-0000.000000")) + 16;
+        QRect place = option.rect;
+        place.setLeft(std::max(std::min(place.left(), place.right() - width), 0));
+        place.setWidth(std::max(place.width(), width));
+        editor->setGeometry(place);
+    }
 
 private:
     std::function<void(NumberField*)> m_opened;

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/common/labelled.h"
 #include "ui/common/read_out.h"
 #include "ui/console/motion/way_point_table.h"
 #include "ui/console/motion/way_points_panel.h"
@@ -85,25 +86,19 @@ void WayPointsPanel::chooseFile(bool toSave) {
 }
 
 void WayPointsPanel::retranslate() {
-    const auto name = [](QPushButton* button, const QString& text, const QString& spoken,
-                         const QString& tip) {
-        button->setText(text);
-        button->setAccessibleName(spoken);
-        button->setToolTip(tip);
-    };
     m_table->setAccessibleName(tr("Way-points"));
     m_table->setToolTip(tr("x y z in mm, alpha beta gamma in degrees; a double click edits"));
-    name(m_addMeasured, tr("+ Measured"), tr("Add measured"), tr("Add the measured pose; nothing moves"));
-    name(m_addTarget, tr("+ Target"), tr("Add target"), {});
-    name(m_load, tr("Load..."), tr("Load way-points"),
-         tr("From CSV: columns x_mm, y_mm, z_mm, alpha_deg, beta_deg, gamma_deg"));
-    name(m_save, tr("Save..."), tr("Save way-points"), tr("As CSV, of the same columns"));
-    name(m_play, tr("Play"), tr("Play"), tr("Visit them all, from the first; the platform moves"));
-    name(m_pause, tr("Pause"), tr("Pause motion"), tr("Hold the motion on its path; press again to go on"));
-    name(m_step, tr("Step"), tr("Step"), tr("Go to the next one only; the platform moves"));
-    name(m_remove, QString::fromUtf8("\u2212"), tr("Remove way-point"), tr("Remove the chosen row"));
-    name(m_up, QString::fromUtf8("\u2191"), tr("Move up"), tr("Move the chosen row up"));
-    name(m_down, QString::fromUtf8("\u2193"), tr("Move down"), tr("Move the chosen row down"));
+    label(*m_addMeasured, tr("+ Measured"), tr("Add measured"), tr("Add the measured pose; nothing moves"));
+    label(*m_addTarget, tr("+ Target"), tr("Add target"), {});
+    label(*m_load, tr("Load..."), tr("Load way-points"),
+          tr("From CSV: columns x_mm, y_mm, z_mm, alpha_deg, beta_deg, gamma_deg"));
+    label(*m_save, tr("Save..."), tr("Save way-points"), tr("As CSV, of the same columns"));
+    label(*m_play, tr("Play"), tr("Play"), tr("Visit them all, from the first; the platform moves"));
+    label(*m_pause, tr("Pause"), tr("Pause motion"), tr("Hold the motion on its path; press again to go on"));
+    label(*m_step, tr("Step"), tr("Step"), tr("Go to the next one only; the platform moves"));
+    label(*m_remove, QString::fromUtf8("\u2212"), tr("Remove way-point"), tr("Remove the chosen row"));
+    label(*m_up, QString::fromUtf8("\u2191"), tr("Move up"), tr("Move the chosen row up"));
+    label(*m_down, QString::fromUtf8("\u2193"), tr("Move down"), tr("Move the chosen row down"));
     m_message->setAccessibleName(tr("Way-point progress"));
     followTable();
 }

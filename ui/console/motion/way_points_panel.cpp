@@ -14,8 +14,10 @@
 #include <QEvent>
 #include <QFileInfo>
 #include <QPushButton>
+#include <QSignalBlocker>
 
 #include <algorithm>
+#include <utility>
 
 // What the way-points do; way_points_layout.cpp is how they look and what they say.
 namespace hexapose {
@@ -38,9 +40,6 @@ void WayPointsPanel::setConnected(bool connected) {
         const QString row = QString::number(visited() + 1);
         end([row] { return tr("Ended at way-point %1: the connection was closed").arg(row); });
     }
-    if (!connected) {
-        setPaused(false); // there is nothing to hold
-    }
     updateButtons();
 }
 
@@ -48,9 +47,7 @@ void WayPointsPanel::showSnapshot(const Snapshot& snapshot) {
     m_judge.follow(snapshot);
     m_measured = snapshot.stale ? std::nullopt : snapshot.measuredPose;
     m_ready = runHindrance(snapshot).isEmpty() && m_measured.has_value();
-    if (snapshot.state == RunState::Stopped || snapshot.state == RunState::Fault) {
-        setPaused(false); // what was held is over, and nothing moves before Clear
-    }
+    followHold(snapshot);
     updateButtons();
 }
 
@@ -107,7 +104,8 @@ void WayPointsPanel::start(int first, int count) {
         return;
     }
     m_first = first;
-    m_sequence.emplace(std::move(poses), kNoDwell);
+    const MotionId firstId = m_ids.take(poses.size());
+    m_sequence.emplace(std::move(poses), kNoDwell, firstId);
     const QString all = QString::number(m_table->rowCount());
     tell([this, all] { return tr("To way-point %1 of %2").arg(QString::number(visited() + 1), all); });
     m_table->mark(first);
@@ -118,10 +116,10 @@ void WayPointsPanel::add(const Snapshot& snapshot) {
     if (!m_sequence) {
         return;
     }
-    const std::size_t begun = m_sequence->begun();
+    const std::size_t accepted = m_sequence->accepted();
     const auto next = m_sequence->add(snapshot);
-    if (m_sequence->begun() > begun) {
-        emit runBegun(m_asked);
+    if (m_sequence->accepted() > accepted) {
+        emit runAccepted(m_asked);
     }
     const PoseSequence::Phase phase = m_sequence->phase();
     if (phase == PoseSequence::Phase::Failed) {
@@ -139,8 +137,8 @@ void WayPointsPanel::add(const Snapshot& snapshot) {
         m_table->mark(visited());
         showMessage();
         if (next) {
-            m_asked = *next;
-            emit runRequested(*next);
+            m_due = next;
+            requestDue();
         }
     }
 }
@@ -152,7 +150,6 @@ void WayPointsPanel::stopped() {
             return tr("Stopped on the way to way-point %1. Press Clear, then Play or Step.").arg(row);
         });
     }
-    setPaused(false); // a stop ends the holding too
 }
 
 void WayPointsPanel::end(const Text& text) {
@@ -160,19 +157,40 @@ void WayPointsPanel::end(const Text& text) {
         m_next = visited(); // Step tries it again
     }
     m_sequence.reset();
+    m_due.reset();
+    m_paused = false; // what the loop holds it goes on to hold
     m_table->mark(-1);
     tell(text);
     updateButtons();
 }
 
+/// A motion is held by the loop; between two motions the list waits by itself.
 void WayPointsPanel::setPaused(bool paused) {
-    if (paused == m_paused) {
-        return;
+    m_paused = paused && isRunning();
+    if (m_allowed.contains(paused ? Command::Hold : Command::Resume)) {
+        m_held = m_holdAsked = paused;
+        emit holdRequested(paused);
     }
-    m_paused = paused;
-    m_pause->setChecked(paused);
-    emit holdRequested(paused);
+    requestDue();
     updateButtons();
+}
+
+void WayPointsPanel::followHold(const Snapshot& snapshot) {
+    m_allowed = snapshot.allowed;
+    const bool may = m_allowed.contains(Command::Hold);
+    m_holdAsked = m_holdAsked && may;
+    m_held = snapshot.held || m_holdAsked;
+    // A motion of the list that was asked for before the pause, and begins in it.
+    if (m_paused && may && !m_holdAsked) {
+        setPaused(true);
+    }
+}
+
+void WayPointsPanel::requestDue() {
+    if (m_due && !m_paused) {
+        m_asked = *std::exchange(m_due, std::nullopt);
+        emit runRequested(m_asked, m_sequence->id());
+    }
 }
 
 void WayPointsPanel::tell(const Text& text) {
@@ -246,7 +264,9 @@ void WayPointsPanel::updateButtons() {
     const bool startable = !running && rows > 0 && m_connected && m_ready && !m_refusal;
     m_play->setEnabled(startable);
     m_step->setEnabled(startable);
-    m_pause->setEnabled(running || m_paused);
+    m_pause->setEnabled(running || isPaused() || m_allowed.contains(Command::Hold));
+    const QSignalBlocker quiet(m_pause);
+    m_pause->setChecked(isPaused());
 }
 
 void WayPointsPanel::changeEvent(QEvent* event) {

@@ -4,6 +4,7 @@
 
 #include "core/record/snapshot.h"
 #include "core/session/pose_sequence.h"
+#include "ui/common/motion_ids.h"
 #include "ui/console/motion/move_judge.h"
 #include "ui/console/motion/way_point_table.h"
 
@@ -37,7 +38,8 @@ public:
     void setTargetSource(std::function<std::optional<Pose>()> target);
 
     bool isRunning() const { return m_sequence.has_value(); }
-    bool isPaused() const { return m_paused; }
+    /// The list waits, or the loop holds a motion, whoever's it is.
+    bool isPaused() const { return m_paused || m_held; }
     /// Ends the list; what moves is stopped by Stop, not by this.
     void stopped(); ///< Stop was pressed
     WayPointTable& table() { return *m_table; }
@@ -50,9 +52,9 @@ public slots:
     void save(const QString& file);
 
 signals:
-    void runRequested(const hexapose::Pose& target);
-    void runBegun(const hexapose::Pose& target); ///< the loop took it
-    void holdRequested(bool held);               ///< the motion, on its path
+    void runRequested(const hexapose::Pose& target, hexapose::MotionId id);
+    void runAccepted(const hexapose::Pose& target);
+    void holdRequested(bool held); ///< the motion, on its path
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -65,8 +67,9 @@ private:
     QPushButton* addButton(QHBoxLayout& row, int stretch = 1);
     void start(int first, int count);
     bool judgeRows(int first, int count, std::vector<Pose>& poses);
-    /// A hold ends by Pause or by a stop, whatever becomes of the list.
     void setPaused(bool paused);
+    void followHold(const Snapshot& snapshot);
+    void requestDue();
     void end(const Text& text);
     int visited() const; ///< row, from 0
     void tell(const Text& text);
@@ -81,10 +84,15 @@ private:
     std::optional<Pose> m_measured; ///< present and usable
     std::optional<PoseSequence> m_sequence;
     std::optional<WayPointTable::Refusal> m_refusal; ///< of a cell
-    Pose m_asked;                                    ///< of the last Run
-    int m_first = 0;                                 ///< row of the sequence's first pose
-    int m_next = 0;                                  ///< row that Step takes
-    bool m_paused = false;
+    MotionIds m_ids{MotionAsker::WayPoints};
+    Pose m_asked;              ///< of the last Run
+    std::optional<Pose> m_due; ///< the next one, which waits for the end of the pause
+    int m_first = 0;           ///< row of the sequence's first pose
+    int m_next = 0;            ///< row that Step takes
+    bool m_paused = false;     ///< nothing of the list is to move
+    bool m_held = false;       ///< the loop holds the motion
+    bool m_holdAsked = false;  ///< and has not answered yet
+    CommandSet m_allowed;      ///< what the loop would accept
     bool m_connected = false;
     bool m_ready = false; ///< a Run would be taken
     Text m_text;

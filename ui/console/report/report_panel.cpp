@@ -91,9 +91,9 @@ QString ReportPanel::progressText() const {
 }
 
 void ReportPanel::add(const Snapshot& snapshot) {
-    const bool begun = m_sequence && m_sequence->begun() > 0;
+    const bool accepted = m_sequence && m_sequence->accepted() > 0;
     const auto next = m_sequence ? m_sequence->add(snapshot) : std::nullopt;
-    if (!begun && m_sequence && m_sequence->begun() > 0) {
+    if (!accepted && m_sequence && m_sequence->accepted() > 0) {
         clearSamples();
     }
     if (const auto sample = m_sampler.add(snapshot)) {
@@ -117,7 +117,7 @@ void ReportPanel::takeSample(const SettledSample& sample) {
 
 void ReportPanel::advance(const std::optional<Pose>& next) {
     if (next) {
-        emit runRequested(*next);
+        emit runRequested(*next, m_sequence->id());
     }
     showProgress();
     if (!isRunning()) {
@@ -143,7 +143,8 @@ void ReportPanel::runReport() {
 }
 
 void ReportPanel::runList(std::vector<Pose> attitudes) {
-    m_sequence.emplace(std::move(attitudes), kSampleDwell);
+    const MotionId first = m_ids.take(attitudes.size());
+    m_sequence.emplace(std::move(attitudes), kSampleDwell, first);
     updateRun();
     showProgress();
 }

@@ -4,6 +4,7 @@
 
 #include "core/report/error_report.h"
 #include "core/session/pose_sequence.h"
+#include "ui/common/motion_ids.h"
 #include "ui/console/events/event_text.h"
 
 #include <QWidget>
@@ -45,8 +46,8 @@ public:
     int sampleCount() const { return static_cast<int>(m_samples.size()); }
     const ErrorReport& report() const { return m_report; }
 
-    /// Runs through attitudes from the beginning. The samples so far are discarded when the first motion
-    /// begins: a Run that is refused leaves them.
+    /// Runs through attitudes from the beginning. The samples so far are discarded when the loop accepts the
+    /// first: a Run that is refused leaves them.
     void runList(std::vector<Pose> attitudes);
     bool isRunning() const;
     /// How far the list is, or why it ended early.
@@ -60,7 +61,7 @@ public slots:
     void exportReport();
 
 signals:
-    void runRequested(const hexapose::Pose& target);
+    void runRequested(const hexapose::Pose& target, hexapose::MotionId id);
     void exported(const QStringList& files);
     void noted(const std::function<hexapose::EventText()>& text);
     void finished(bool complete);
@@ -90,6 +91,7 @@ private:
     SettledSampler m_sampler;
     std::vector<SettledSample> m_samples;
     ErrorReport m_report;
+    MotionIds m_ids{MotionAsker::Report};
     std::optional<PoseSequence> m_sequence;
     QString m_listFile; ///< empty: the default list
     QString m_defaultFolder;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/common/card.h"
+#include "ui/common/labelled.h"
 #include "ui/common/read_out.h"
 #include "ui/console/report/report_panel.h"
 #include "ui/console/report/report_preview.h"
@@ -51,6 +52,7 @@ QWidget* ReportPanel::buildTop() {
     m_run->setProperty("kind", "primary");
     m_run->setObjectName(QStringLiteral("runReport"));
     m_clear = new QPushButton(top);
+    m_clear->setEnabled(false);
     m_progress = new TextReadOut(1, top);
     auto* row = new QHBoxLayout;
     row->setSpacing(6);
@@ -103,11 +105,6 @@ QWidget* ReportPanel::buildFolderRow() {
 }
 
 void ReportPanel::retranslate() {
-    const auto name = [](QPushButton* button, const QString& text, const QString& tip) {
-        button->setText(text);
-        button->setAccessibleName(text);
-        button->setToolTip(tip);
-    };
     m_listLabel->setText(tr("Attitudes"));
     m_list->setItemText(0, tr("10 at random, within 10 mm and 10\u00b0"));
     if (!m_listFile.isEmpty()) {
@@ -115,10 +112,10 @@ void ReportPanel::retranslate() {
         m_list->count() < 2 ? m_list->addItem(file) : m_list->setItemText(1, file);
     }
     m_list->setAccessibleName(tr("List of attitudes"));
-    name(m_browseList, tr("From CSV..."), tr("Columns x_mm, y_mm, z_mm, alpha_deg, beta_deg, gamma_deg"));
-    name(m_run, tr("Run report"), {});
+    label(*m_browseList, tr("From CSV..."), tr("Columns x_mm, y_mm, z_mm, alpha_deg, beta_deg, gamma_deg"));
+    label(*m_run, tr("Run report"));
     updateRun();
-    name(m_clear, tr("Clear samples"), tr("Put the samples away"));
+    label(*m_clear, tr("Clear samples"), tr("Put the samples away"));
     m_table->setAccessibleName(tr("Samples"));
     nameSampleColumns(*m_table);
     fillSampleTable(*m_table, m_report);
@@ -127,7 +124,7 @@ void ReportPanel::retranslate() {
     m_progress->setAccessibleName(tr("Report progress"));
     m_folderLabel->setText(tr("Folder"));
     m_folder->setAccessibleName(tr("Report folder"));
-    name(m_browseFolder, tr("Choose..."), tr("Choose the folder of the report"));
+    label(*m_browseFolder, tr("Choose..."), tr("Choose the folder of the report"));
     m_browseFolder->setAccessibleName(tr("Choose report folder"));
     m_filesLabel->setText(tr("Files"));
     m_filesText->setAccessibleName(tr("Report files"));

@@ -5,55 +5,42 @@
 #include "core/base/thread_priority.h"
 #include "ui/report/report_export.h"
 
-#include <QThread>
-
-#include <exception>
 #include <utility>
 
 namespace hexapose {
 
-ReportWriter::ReportWriter(QObject* parent) : QObject(parent) {}
-
-ReportWriter::~ReportWriter() {
-    if (m_thread) {
-        m_thread->wait();
-    }
-}
+ReportWriter::ReportWriter(QObject* parent) : QObject(parent), m_job(QStringLiteral("report")) {}
 
 void ReportWriter::write(const ErrorReport& report, const QString& folder) {
-    Job job{report, folder};
-    if (m_thread) {
-        m_next = std::move(job);
+    Task task{report, folder};
+    if (m_job.isRunning()) {
+        m_next = std::move(task);
         return;
     }
-    start(std::move(job));
+    start(std::move(task));
 }
 
-void ReportWriter::start(Job job) {
-    // The signals are emitted over there and carried over to the receivers' thread.
-    m_thread.reset(QThread::create([this, job = std::make_shared<const Job>(std::move(job))] {
-        lowerThreadPriority(); // drawing can wait; the loop and the screen cannot
-        try {
+void ReportWriter::start(Task task) {
+    const QString folder = task.folder;
+    m_job.start(
+        [task = std::move(task)](const Job&) {
+            lowerThreadPriority(); // drawing can wait; the loop and the screen cannot
             QStringList files;
-            for (const auto& file : exportErrorReport(job->report, job->folder.toStdString())) {
+            for (const auto& file : exportErrorReport(task.report, task.folder.toStdString())) {
                 files.append(QString::fromStdString(file.string()));
             }
-            emit written(files, job->folder);
-        } catch (const std::exception& error) {
-            emit failed(QString::fromUtf8(error.what()));
-        }
-    }));
-    m_thread->setObjectName(QStringLiteral("report"));
-    connect(m_thread.get(), &QThread::finished, this, &ReportWriter::finish);
-    m_thread->start();
-}
-
-void ReportWriter::finish() {
-    m_thread->wait();
-    m_thread.reset();
-    if (m_next) {
-        start(*std::exchange(m_next, std::nullopt));
-    }
+            return files;
+        },
+        [this, folder](const Job::Outcome<QStringList>& outcome) {
+            if (m_next) {
+                start(*std::exchange(m_next, std::nullopt));
+            }
+            if (outcome.result) {
+                emit written(*outcome.result, folder);
+            } else {
+                emit failed(outcome.error);
+            }
+        });
 }
 
 } // namespace hexapose

@@ -3,15 +3,13 @@
 #pragma once
 
 #include "core/report/error_report.h"
+#include "ui/common/job.h"
 
 #include <QObject>
 #include <QString>
 #include <QStringList>
 
-#include <memory>
 #include <optional>
-
-class QThread;
 
 namespace hexapose {
 
@@ -22,7 +20,6 @@ class ReportWriter final : public QObject {
     Q_OBJECT
 public:
     explicit ReportWriter(QObject* parent = nullptr);
-    ~ReportWriter() override; ///< waits for the files that are being written
 
     void write(const ErrorReport& report, const QString& folder);
 
@@ -31,15 +28,14 @@ signals:
     void failed(const QString& reason);
 
 private:
-    struct Job {
+    struct Task {
         ErrorReport report;
         QString folder;
     };
-    void start(Job job);
-    void finish();
+    void start(Task task);
 
-    std::unique_ptr<QThread> m_thread;
-    std::optional<Job> m_next;
+    std::optional<Task> m_next;
+    Job m_job; ///< last, so that the files that are being written are waited for first
 };
 
 } // namespace hexapose

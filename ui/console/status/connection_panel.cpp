@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/console/status/connection_panel.h"
 
-#include "ui/common/allowed_commands.h"
 #include "ui/common/card.h"
+#include "ui/common/labelled.h"
 #include "ui/common/number_field.h"
 #include "ui/common/solver_choices.h"
 #include "ui/common/status_text.h"
@@ -220,9 +220,11 @@ void ConnectionPanel::setOpen(bool open) {
 }
 
 void ConnectionPanel::showSnapshot(const Snapshot& snapshot) {
-    const CommandSet allowed = allowedCommands(snapshot);
+    const CommandSet& allowed = snapshot.allowed;
     const bool moving = snapshot.state == RunState::Moving || snapshot.state == RunState::Settling;
-    const bool on = allowed.contains(Command::Disable) && (moving || snapshot.state == RunState::Enabled);
+    // Drives that were on when the link came up are taken over by Enable.
+    const bool on = !allowed.contains(Command::Enable) && allowed.contains(Command::Disable) &&
+                    (moving || snapshot.state == RunState::Enabled);
     if (allowed == m_allowed && moving == m_moving && on == m_drivesOn) {
         return;
     }
@@ -263,17 +265,12 @@ void ConnectionPanel::retranslate() {
     m_solverLabel->setText(tr("Solver"));
     m_solver->setAccessibleName(tr("Solver"));
     updateSolver();
-    const auto name = [](QPushButton* button, const QString& text, const QString& tip) {
-        button->setText(text);
-        button->setAccessibleName(text);
-        button->setToolTip(tip);
-    };
-    name(m_connect, m_open ? tr("Disconnect") : tr("Connect"), {});
+    label(*m_connect, m_open ? tr("Disconnect") : tr("Connect"));
     showConnectReason();
-    name(m_reference, tr("Reference"), tr("Find the reference of the legs"));
-    name(m_enable, m_drivesOn ? tr("Disable") : tr("Enable"),
-         m_drivesOn ? tr("Take the drives off") : tr("Put the drives on"));
-    name(m_clear, tr("Clear"), tr("Leave a stop or a fault; nothing moves"));
+    label(*m_reference, tr("Reference"), tr("Find the reference of the legs"));
+    label(*m_enable, m_drivesOn ? tr("Disable") : tr("Enable"),
+          m_drivesOn ? tr("Take the drives off") : tr("Put the drives on"));
+    label(*m_clear, tr("Clear"), tr("Leave a stop or a fault; nothing moves"));
 }
 
 void ConnectionPanel::changeEvent(QEvent* event) {

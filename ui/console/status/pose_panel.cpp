@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/console/status/pose_panel.h"
 
-#include "core/kinematics/jacobian.h"
+#include "core/kinematics/pose_accuracy.h"
+#include "core/report/error_report.h"
 #include "ui/common/read_out.h"
 #include "ui/common/status_text.h"
 #include "ui/console/status/singularity_bar.h"
 
-#include <Eigen/LU>
 #include <QEvent>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -16,20 +16,7 @@
 namespace hexapose {
 
 namespace {
-
 constexpr int kQDecimals = 3;
-constexpr double kLengthResolution = 1e-4; ///< m: lengths come with one decimal of a millimetre
-
-/// sum_i |J^-1|_ki r/2: the largest error that rounding the lengths can make.
-std::optional<PoseVector> roundingBound(const PlatformGeometry& geometry, const std::optional<Pose>& pose) {
-    if (!pose) {
-        return std::nullopt;
-    }
-    const PoseVector bound =
-        analyticJacobian(geometry, *pose).inverse().cwiseAbs().rowwise().sum() * kLengthResolution / 2.0;
-    return bound.allFinite() ? std::optional(bound) : std::nullopt;
-}
-
 } // namespace
 
 PosePanel::PosePanel(const PlatformGeometry& geometry, QWidget* parent) : Card(parent), m_geometry(geometry) {
@@ -79,7 +66,9 @@ void PosePanel::addSingularity() {
 }
 
 void PosePanel::showSnapshot(const Snapshot& snapshot) {
-    const auto bound = roundingBound(m_geometry, snapshot.measuredPose);
+    const std::optional<Pose>& at = snapshot.measuredPose;
+    const auto rounding =
+        at ? std::optional(roundingEffect(m_geometry, *at, kLengthResolution)) : std::nullopt;
     for (int i = 0; i < 6; ++i) {
         const Row& row = m_rows[static_cast<std::size_t>(i)];
         const int decimals = coordinateTexts()[static_cast<std::size_t>(i)].angle ? 4 : 3;
@@ -93,7 +82,8 @@ void PosePanel::showSnapshot(const Snapshot& snapshot) {
         row.target->showNumber(shown(snapshot.targetPose), decimals);
         row.measured->showNumber(shown(snapshot.measuredPose), decimals);
         row.error->showNumber(error, decimals);
-        row.expected->showNumber(bound ? std::optional(toDisplay(i, (*bound)[i])) : std::nullopt, decimals);
+        row.expected->showNumber(rounding ? std::optional(toDisplay(i, rounding->bound[i])) : std::nullopt,
+                                 decimals); // a dash where it is infinite
         for (ReadOut* readOut : {row.measured, row.error, row.expected}) {
             readOut->setStale(snapshot.stale);
         }

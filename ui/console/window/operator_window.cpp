@@ -72,8 +72,8 @@ void OperatorWindow::wire() {
         post(StopCommand{});
         m_report->stopped();
     });
-    connect(m_report, &ReportPanel::runRequested, this, [this](const Pose& pose) {
-        post(RunCommand{pose, m_motion->mode()});
+    connect(m_report, &ReportPanel::runRequested, this, [this](const Pose& pose, MotionId id) {
+        post(RunCommand{pose, m_motion->mode(), id});
     });
     connect(m_report, &ReportPanel::noted, this, [this](const std::function<EventText()>& text) {
         m_events->addNote(text, std::chrono::system_clock::now());

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/charts/chart_page.h"
+#include "ui/common/labelled.h"
 #include "ui/console/events/event_list.h"
 #include "ui/console/motion/motion_panel.h"
 #include "ui/console/report/report_panel.h"
@@ -94,14 +95,9 @@ QWidget* OperatorWindow::buildConsole() {
 
 void OperatorWindow::retranslate() {
     setWindowTitle(tr("Hexapose"));
-    const auto name = [](QPushButton* button, const QString& text, const QString& tip) {
-        button->setText(text);
-        button->setAccessibleName(text);
-        button->setToolTip(tip);
-    };
-    name(m_consolePage, tr("Console"), tr("Charts, legs and pose"));
-    name(m_reportPage, tr("Report"), tr("The error report and its samples"));
-    name(m_export, tr("Export report"), tr("Write report.pdf, errors.csv, errors.png and errors.svg"));
+    label(*m_consolePage, tr("Console"), tr("Charts, legs and pose"));
+    label(*m_reportPage, tr("Report"), tr("The error report and its samples"));
+    label(*m_export, tr("Export report"), tr("Write report.pdf, errors.csv, errors.png and errors.svg"));
 }
 
 void OperatorWindow::changeEvent(QEvent* event) {
