@@ -23,8 +23,11 @@ constexpr double kOrder = 6.0;
 constexpr double kResolution = 4e-15;
 /// Ratio of the eigenvalues of M^T M below which the root of the smallest is not accurate enough any more.
 constexpr double kLeastRatio = 3e-5;
+constexpr double kApart = 1.05;     ///< largest over smallest eigenvalue
 constexpr int kMostSteps = 32;      ///< 5 to 9 are taken
 constexpr double kDoubleRoot = 0.2; ///< (p'/p)^2 over its own slope is so near to 2
+constexpr double kCrowd = 2.5;      ///< it is more, where a root counts as near,
+constexpr double kNearRoot = 0.1;   ///< relative to the trace
 /// So near to a root, relative to the trace, the next step of third order ends at it.
 constexpr double kLastStep = 1e-6;
 
@@ -92,6 +95,7 @@ struct Laguerre {
     Pair twofold; ///< the same for a double root
     Pair most;    ///< step that does not end short of it
     Pair isDouble;
+    Pair isCrowded; ///< more than two roots are about as near
 };
 
 Laguerre laguerreAt(const Tridiagonal& t, const Pair& x) {
@@ -117,6 +121,7 @@ Laguerre laguerreAt(const Tridiagonal& t, const Pair& x) {
     result.single = kOrder * p1 / (q1 + std::sqrt(kOrder - 1.0) * root);
     result.twofold = kOrder * p1 / (q1 + std::sqrt(0.5 * kOrder - 1.0) * root);
     result.most = q1 * p1 / w;
+    result.isCrowded = (qq > kCrowd * w).cast<double>();
     result.isDouble = ((qq - 2.0 * w).abs() < kDoubleRoot * w).cast<double>();
     return result;
 }
@@ -139,6 +144,8 @@ std::optional<Pair> extremeEigenvalues(const Tridiagonal& t) {
         const Laguerre here = laguerreAt(t, x);
         bool known = true;
         for (int end = 0; end < 2; ++end) {
+            if (here.isCrowded[end] != 0.0 && here.single[end] < kNearRoot * sum)
+                return std::nullopt; // its minors are lost in rounding before the root is known
             if (here.least[end] > 0.0) {
                 lower[end] = x[end] + here.single[end];
                 upper[end] = std::min(upper[end], x[end] + here.most[end]);
@@ -167,7 +174,9 @@ std::optional<Pair> extremeEigenvalues(const Tridiagonal& t) {
 
 ExtremeSingularValues extremeSingularValues(const Matrix6& matrix) noexcept {
     const auto values = extremeEigenvalues(tridiagonal(matrix.transpose().lazyProduct(matrix)));
-    if (values && (*values)[0] > kLeastRatio * (*values)[1])
+    const bool apart =
+        values && (*values)[1] > kApart * (*values)[0]; // else the polynomial knows them too little
+    if (apart && (*values)[0] > kLeastRatio * (*values)[1])
         return {std::sqrt((*values)[0]), std::sqrt((*values)[1])};
     const auto all = singularValues(matrix);
     return {all[5], all[0]};

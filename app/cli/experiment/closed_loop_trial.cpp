@@ -48,7 +48,8 @@ public:
           m_exact(settings.platform, NewtonOptions{.tolerance = kTightTolerance}),
           m_loop(
               m_machine.device(), settings.platform, solver, settings.control,
-              [this](const Snapshot& snapshot) { m_last = snapshot; }, m_machine.clock()) {}
+              [this](const Snapshot& snapshot) { m_last = snapshot; }, m_machine.clock(),
+              std::make_unique<ImmediatePlanner>(settings.platform)) {}
 
     MoveOutcome run(const Pose& target, int index) {
         const MoveOutcome outcome = move(target, index);

@@ -107,8 +107,8 @@ void LineController::reply(const std::string& type, Refusal refusal) {
     case Refusal::None:
         return send(line::Ok{type});
     case Refusal::State:
-        return send(line::Err{type, "STATE",
-                              std::string("not allowed in state ") + toLetter(m_platform.state())});
+        return send(
+            line::Err{type, "STATE", std::string("not allowed in state ") + toLetter(m_platform.state())});
     case Refusal::Range:
         return send(line::Err{type, "RANGE", "a length is outside its leg's stroke"});
     }
