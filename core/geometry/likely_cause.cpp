@@ -102,9 +102,9 @@ bool homeIsWithinStrokes(const PlatformGeometry& geometry) {
 std::string likelyMistake(const PlatformGeometry& geometry,
                           const std::function<bool(const PlatformGeometry&)>& fits) {
     for (const Mistake& mistake : mistakes()) {
-        PlatformGeometry mended = geometry;
-        mistake.undo(mended);
-        if (fits(mended))
+        PlatformGeometry corrected = geometry;
+        mistake.undo(corrected);
+        if (fits(corrected))
             return mistake.words;
     }
     return {};

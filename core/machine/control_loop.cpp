@@ -183,7 +183,6 @@ void ControlLoop::shutDown() {
     const bool reachable = open == LinkState::Connected || open == LinkState::Connecting;
     const bool stopping = loop.supervisor.isStoppingDue();
     const bool enabled = loop.supervisor.mayBeEnabled();
-    const bool wasDown = loop.supervisor.machine().latch != Latch::None;
     loop.supervisor.endMotion();
     loop.updateTargetPose();
     if (!reachable || (!stopping && !enabled))
@@ -198,11 +197,8 @@ void ControlLoop::shutDown() {
         loop.supervisor.raise({EventCode::DisableUnconfirmed});
         Snapshot last = loop.snapshot();
         last.fresh = false;
-        return loop.sink(last);
+        loop.sink(last);
     }
-    // The stop was ours, of a platform that stood: nobody has to look for its cause.
-    if (!stopping && !wasDown && loop.link.state() == ControllerState::Stopped)
-        loop.exchange(DeviceRequest::Clear);
 }
 
 } // namespace hexapose

@@ -37,8 +37,8 @@ public:
     void cycle();
     /// Before the port is closed: whatever moves is stopped, and where anything was enabled Stop and Disable
     /// are sent, whatever the controller says of its state. Returns when the drives are off, or says in a
-    /// last Snapshot that they may not be. A platform that stood, and that nobody had stopped, is left
-    /// cleared. Never starts anything.
+    /// last Snapshot that they may not be. Never starts anything, and never clears: that is a person's
+    /// decision.
     void shutDown();
     /// Null: nobody. Outlives the loop.
     void setObserver(CycleObserver* observer);

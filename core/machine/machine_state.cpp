@@ -16,7 +16,7 @@ using table::LatchTo;
 using table::Row;
 
 bool fits(const Row& row, const MachineState& state, MachineEvent event) {
-    return row.event == event && (row.run & in(state.run)) && (row.pending & in(state.pending)) &&
+    return (row.events & in(event)) && (row.run & in(state.run)) && (row.pending & in(state.pending)) &&
            (row.latch & in(state.latch)) && (row.control & in(state.hasControl)) &&
            (row.held & in(state.held)) && (row.owes & in(state.owesStop));
 }

@@ -160,7 +160,7 @@ private:
 
     const MotionLimits& m_limits;
     const PoseMotion& m_motion;
-    PlanTimer* m_timer; ///< null: no hurry
+    PlanTimer* m_timer; ///< null: no limit of time
     const PlatformModel& m_model;
     const LegEquations& m_equations;
     Eigen::Vector3d m_centroid; ///< from P, platform frame, m

@@ -129,6 +129,7 @@ std::vector<Event> parseEvents(std::string_view field) {
             texts.back().append(kSeparator).append(piece);
     }
     std::vector<Event> events;
+    events.reserve(texts.size());
     for (const std::string& text : texts)
         events.push_back(*parseEvent(text));
     return events;

@@ -126,7 +126,7 @@ TEST(BadPlatform, IsNamedWithItsLine) {
     expectRefused(HEXAPOSE_CLI, scratch, calls);
 }
 
-/// Base and platform are similar: nothing can be measured or moved, and that is said at once.
+/// Base and platform are similar: nothing can be measured or moved, and the program reports it at once.
 TEST(BadPlatform, IsRefusedWithItsCauseWhereNothingCanMoveWithIt) {
     const Scratch scratch;
     Machine similar = laboratory();

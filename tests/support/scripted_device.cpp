@@ -28,7 +28,7 @@ void ScriptedDevice::obey(DeviceRequest request) {
             state = ControllerState::Enabled;
         break;
     case DeviceRequest::Disable:
-        if (!ignoresDisable && state == ControllerState::Enabled)
+        if (!ignoresDisable && state != ControllerState::Fault)
             state = ControllerState::Disabled;
         break;
     case DeviceRequest::Stop:

@@ -17,7 +17,7 @@ constexpr int kPeriodTries = 3;
 
 } // namespace
 
-/// What is said again with every HELLO is reported once.
+/// Reports once what a controller repeats with every HELLO.
 void LineDevice::Impl::reportOnce(DeviceRefusal refusal) {
     if (lastReported == refusal)
         return;

@@ -9,8 +9,6 @@ namespace hexapose::line {
 
 std::optional<LineMessage> messageOf(DeviceRequest request) {
     switch (request) {
-    case DeviceRequest::None:
-        return std::nullopt;
     case DeviceRequest::Reference:
         return Home{};
     case DeviceRequest::Enable:
@@ -21,8 +19,9 @@ std::optional<LineMessage> messageOf(DeviceRequest request) {
         return Stop{};
     case DeviceRequest::Clear:
         return Clear{};
+    default: // nothing to ask, or not for the loop to ask
+        return std::nullopt;
     }
-    return std::nullopt;
 }
 
 void PendingRequests::sent(std::string_view type, Time time) {

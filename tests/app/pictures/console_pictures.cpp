@@ -49,7 +49,7 @@ constexpr std::array kLooks{Look{"console.png", "en", ThemeKind::Light},
                             Look{"console-dark.png", "en", ThemeKind::Dark},
                             Look{"console-zh_CN.png", "zh_CN", ThemeKind::Light}};
 
-/// Visits the targets as an operator would, and takes the picture on the way to the last one.
+/// Visits the targets as an operator would, and takes the picture while the platform moves to the last one.
 class Visit {
 public:
     Visit(OperatorWindow& window, const QString& file) : m_window(window), m_file(file) {

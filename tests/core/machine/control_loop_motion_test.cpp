@@ -124,7 +124,7 @@ TEST_F(ControlLoopMotion, APlanThatComesWithTheRunIsUsedIfItStillFits) {
     EXPECT_EQ(m_last.motionId, 42U);
 }
 
-/// Plans when it is told to.
+/// Hands out its plan once the test allows it.
 class SlowPlanner final : public Planner {
 public:
     explicit SlowPlanner(const PlatformGeometry& geometry) : m_planner(geometry) {}
@@ -183,7 +183,8 @@ TEST_F(ControlLoopMotion, APlanWhoseStartIsLeftIsMadeAnewAndThenRefused) {
     cycles(2);
     run();
     until(RunState::Moving);
-    EXPECT_EQ(planner.submitted, 2) << "before, for the verdict, and from where the referencing has led";
+    EXPECT_EQ(planner.submitted, 2)
+        << "once to check the target, and once from where the referencing has led";
     until(RunState::Enabled);
     EXPECT_LT((m_last.measuredPose->offset - target().offset).norm(), kSettleWindow);
 }

@@ -234,6 +234,13 @@ TEST(MachineState, AnUnaskedEndOfAMotionStopsAndDisables) {
         }
     }
     EXPECT_GT(ends, 100);
+    // A referencing moves the legs, too.
+    for (const S run : {S::Unreferenced, S::Disabled, S::Enabled})
+        for (const E event : {E::IsStopped, E::HasFault}) {
+            const Transition made = transition({run, Pending::Motion, Latch::None, true}, event);
+            EXPECT_EQ(made.action, A::EndMotionAndStopAndDisable);
+            EXPECT_EQ(made.next.latch, Latch::Host);
+        }
     // And no motion ends in another way without being forgotten.
     forEveryPair([](const MachineState& state, E, const Transition& made) {
         const bool was = state.run == S::Moving || state.run == S::Settling;

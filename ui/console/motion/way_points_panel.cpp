@@ -221,6 +221,7 @@ void WayPointsPanel::save(const QString& file) {
         return; // the message has it already
     }
     std::vector<Pose> poses;
+    poses.reserve(static_cast<std::size_t>(m_table->rowCount()));
     for (int row = 0; row < m_table->rowCount(); ++row) {
         poses.push_back(m_table->poseAt(row).value_or(Pose{}));
     }
@@ -230,7 +231,7 @@ void WayPointsPanel::save(const QString& file) {
     });
 }
 
-/// What was told last, unless a cell is refused: then that.
+/// The latest message; while a cell is refused, its refusal.
 void WayPointsPanel::showMessage() {
     m_message->showText(
         m_refusal ? tr("Row %1: %2: %3")
