@@ -8,11 +8,11 @@
         <translation>正在训练该平台的模型，训练结果会保留供下次使用</translation>
     </message>
     <message>
-        <source>The link is lost; trying again</source>
+        <source>Connection lost - reconnecting</source>
         <translation>连接已断开，正在重试</translation>
     </message>
     <message>
-        <source>The link is lost: %1; trying again</source>
+        <source>Connection lost: %1 - reconnecting</source>
         <translation>连接已断开：%1；正在重试</translation>
     </message>
     <message>
@@ -28,8 +28,8 @@
         <translation>无法写入日志：%1</translation>
     </message>
     <message>
-        <source>An unprotected sender of lengths: errors on the line stay unseen, and it takes no commands</source>
-        <translation>无校验的杆长数据源：线路错误无法发现，也不接受命令</translation>
+        <source>Listen-only source without checksums: transmission errors go unnoticed, and it takes no commands</source>
+        <translation>无校验的只听数据源：传输错误无法发现，也不接受命令</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -67,7 +67,7 @@
         <translation>时间，s</translation>
     </message>
     <message>
-        <source>Attitude</source>
+        <source>Pose</source>
         <translation>位姿</translation>
     </message>
     <message>
@@ -127,7 +127,7 @@
     </message>
     <message>
         <source>Connect</source>
-        <translation>接通</translation>
+        <translation>连接</translation>
     </message>
     <message>
         <source>Stop, disable and close the port</source>
@@ -154,36 +154,36 @@
         <translation>使能</translation>
     </message>
     <message>
-        <source>Take the drives off</source>
+        <source>Switch the drives off</source>
         <translation>关闭驱动器</translation>
     </message>
     <message>
-        <source>Put the drives on</source>
+        <source>Switch the drives on</source>
         <translation>打开驱动器</translation>
     </message>
     <message>
         <source>Clear</source>
-        <translation>清除</translation>
+        <translation>故障复位</translation>
     </message>
     <message>
-        <source>Leave a stop or a fault; nothing moves</source>
-        <translation>退出停止或故障状态；不会产生运动</translation>
+        <source>Acknowledge the stop or fault (no motion)</source>
+        <translation>确认停止或故障（不产生运动）</translation>
     </message>
     <message>
         <source>The solver cannot be changed while the platform moves.</source>
         <translation>平台运动时不能更换求解器。</translation>
     </message>
     <message>
-        <source>The solver is being made ready.</source>
+        <source>The solver is being prepared.</source>
         <translation>正在准备求解器。</translation>
     </message>
     <message>
-        <source>What makes the pose of the leg lengths.
+        <source>Method that computes the pose from the leg lengths.
 MPR3-NR, MPR2-NR: regression, then Newton
 Newton: iteration alone
 FSI: follows the path of the legs in small steps
 Changing it moves nothing.</source>
-        <translation>由杆长求位姿的方法。
+        <translation>由腿长求位姿的方法。
 MPR3-NR、MPR2-NR：先回归，再用牛顿法修正
 Newton：仅用牛顿迭代
 FSI：以小步沿支腿路径跟踪
@@ -243,15 +243,15 @@ FSI：以小步沿支腿路径跟踪
         <translation>已连接</translation>
     </message>
     <message>
-        <source>An unprotected sender of lengths</source>
-        <translation>无校验的杆长数据源</translation>
+        <source>Listen-only source without checksums</source>
+        <translation>无校验的只听数据源</translation>
     </message>
     <message>
-        <source>Its values are shown, but it takes no commands and errors on the line stay unseen.</source>
-        <translation>其数值会显示，但它不接受命令，线路错误也无法发现。</translation>
+        <source>Its values are shown, but it takes no commands, and transmission errors go unnoticed.</source>
+        <translation>其数值会显示，但它不接受命令，传输错误也无法发现。</translation>
     </message>
     <message>
-        <source>The link is lost</source>
+        <source>Connection lost</source>
         <translation>连接已断开</translation>
     </message>
     <message>
@@ -284,7 +284,7 @@ FSI：以小步沿支腿路径跟踪
     </message>
     <message>
         <source>Find the cause, press Clear, then Run.</source>
-        <translation>请查明原因，按“清除”，再按“运行”。</translation>
+        <translation>请查明原因，按“故障复位”，再按“运行”。</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -292,19 +292,19 @@ FSI：以小步沿支腿路径跟踪
     </message>
     <message>
         <source>Press Clear before the next Run.</source>
-        <translation>再次运行前请先按“清除”。</translation>
+        <translation>再次运行前请先按“故障复位”。</translation>
     </message>
     <message>
         <source>The controller stopped the move</source>
         <translation>控制器停止了运动</translation>
     </message>
     <message>
-        <source>Stopped: the measurements stayed away</source>
-        <translation>已停止：测量值中断</translation>
+        <source>Stopped: no measurements received</source>
+        <translation>已停止：未收到测量值</translation>
     </message>
     <message>
         <source>Stopped: the lengths gave no usable pose</source>
-        <translation>已停止：杆长得不到可用的位姿</translation>
+        <translation>已停止：腿长得不到可用的位姿</translation>
     </message>
     <message>
         <source>Stopped: the controller refused a set-point</source>
@@ -315,8 +315,8 @@ FSI：以小步沿支腿路径跟踪
         <translation>控制循环已结束</translation>
     </message>
     <message>
-        <source>Disconnect and connect again; keep the log for the maker.</source>
-        <translation>请断开后重新连接；并保留日志供厂家分析。</translation>
+        <source>Disconnect and connect again; send the log to the manufacturer.</source>
+        <translation>请断开后重新连接；并将日志发给厂家。</translation>
     </message>
     <message>
         <source>Fault of the controller</source>
@@ -324,7 +324,7 @@ FSI：以小步沿支腿路径跟踪
     </message>
     <message>
         <source>Remove the cause at the machine, then press Clear.</source>
-        <translation>请在设备上排除故障，再按“清除”。</translation>
+        <translation>请在设备上排除故障，再按“故障复位”。</translation>
     </message>
     <message>
         <source>The move was refused</source>
@@ -335,8 +335,8 @@ FSI：以小步沿支腿路径跟踪
         <translation>未产生运动。请修改目标。</translation>
     </message>
     <message>
-        <source>The move did not begin: the platform could not be made ready</source>
-        <translation>运动未开始：平台无法就绪</translation>
+        <source>The move did not start: referencing or enabling failed</source>
+        <translation>运动未开始：回参考点或使能失败</translation>
     </message>
     <message>
         <source>Press Reference or Enable and see what the controller answers.</source>
@@ -356,7 +356,7 @@ FSI：以小步沿支腿路径跟踪
     </message>
     <message>
         <source>After a stop or a fault press Clear first.</source>
-        <translation>停止或故障后请先按“清除”。</translation>
+        <translation>停止或故障后请先按“故障复位”。</translation>
     </message>
     <message>
         <source>The legs had not settled after %1 s</source>
@@ -388,7 +388,7 @@ FSI：以小步沿支腿路径跟踪
     </message>
     <message>
         <source>Disabled</source>
-        <translation>未使能</translation>
+        <translation>已去使能</translation>
     </message>
     <message>
         <source>Settled after %1 s</source>
@@ -396,7 +396,7 @@ FSI：以小步沿支腿路径跟踪
     </message>
     <message>
         <source>Cleared</source>
-        <translation>已清除</translation>
+        <translation>已故障复位</translation>
     </message>
     <message>
         <source>Press Run when it is safe to move.</source>
@@ -407,8 +407,8 @@ FSI：以小步沿支腿路径跟踪
         <translation>已取得报告样本 %1</translation>
     </message>
     <message>
-        <source>Measurements arrive</source>
-        <translation>收到测量值</translation>
+        <source>Receiving measurements</source>
+        <translation>正在接收测量值</translation>
     </message>
     <message>
         <source>Stopped: the controller accepted no set-point for %1 ms</source>
@@ -423,7 +423,7 @@ FSI：以小步沿支腿路径跟踪
         <translation>已停止：控制器给出了不同的名称或限位</translation>
     </message>
     <message>
-        <source>The link is back after a loss in mid-move: a stop was sent</source>
+        <source>Connection restored after a loss during a move: a stop was sent</source>
         <translation>运动中断开的连接已恢复：已发送停止命令</translation>
     </message>
     <message>
@@ -431,7 +431,7 @@ FSI：以小步沿支腿路径跟踪
         <translation>控制器未确认驱动已关闭</translation>
     </message>
     <message>
-        <source>Look at the machine; take its drives off there.</source>
+        <source>Check the machine; switch its drives off there.</source>
         <translation>请查看设备，并在设备上关闭驱动。</translation>
     </message>
     <message>
@@ -443,7 +443,7 @@ FSI：以小步沿支腿路径跟踪
         <translation>请等待运动结束。</translation>
     </message>
     <message>
-        <source>Press Enable first; a jog does not put the drives on.</source>
+        <source>Press Enable first; a jog does not switch the drives on.</source>
         <translation>请先按“使能”；点动不会打开驱动。</translation>
     </message>
     <message>
@@ -455,7 +455,7 @@ FSI：以小步沿支腿路径跟踪
         <translation>未产生运动。请分小步到达，或改用另一种模式。</translation>
     </message>
     <message>
-        <source>The jog came to rest before a limit</source>
+        <source>The jog stopped before a limit</source>
         <translation>点动在极限前停下</translation>
     </message>
     <message>
@@ -494,12 +494,12 @@ FSI：以小步沿支腿路径跟踪
         <translation>引导测试</translation>
     </message>
     <message>
-        <source>Go to the attitude of the published test, wait until it has settled, average the lengths for 1 s, solve and compare; the platform moves</source>
-        <translation>运动到论文实验的姿态，等待稳定，将杆长平均 1 s，求解并比较；平台会运动</translation>
+        <source>Go to the pose of the published test, wait until it has settled, average the lengths for 1 s, solve and compare; the platform moves</source>
+        <translation>运动到论文实验的位姿，等待稳定，将腿长平均 1 s，求解并比较；平台会运动</translation>
     </message>
     <message>
-        <source>Move to the attitude</source>
-        <translation>运动到测试姿态</translation>
+        <source>Move to the pose</source>
+        <translation>运动到测试位姿</translation>
     </message>
     <message>
         <source>Wait until it has settled</source>
@@ -507,7 +507,7 @@ FSI：以小步沿支腿路径跟踪
     </message>
     <message>
         <source>Average the lengths for 1 s</source>
-        <translation>将杆长平均 1 s</translation>
+        <translation>将腿长平均 1 s</translation>
     </message>
     <message>
         <source>Solve and compare</source>
@@ -531,11 +531,11 @@ FSI：以小步沿支腿路径跟踪
     </message>
     <message>
         <source>The largest error that the 0.1 mm resolution of the lengths explains</source>
-        <translation>由 0.1 mm 杆长分辨率所能解释的最大误差</translation>
+        <translation>由 0.1 mm 腿长分辨率所能解释的最大误差</translation>
     </message>
     <message>
         <source>mean lengths, mm</source>
-        <translation>平均杆长，mm</translation>
+        <translation>平均腿长，mm</translation>
     </message>
     <message>
         <source>Test target %1</source>
@@ -555,23 +555,23 @@ FSI：以小步沿支腿路径跟踪
     </message>
     <message>
         <source>Test length %1</source>
-        <translation>测试杆长 %1</translation>
+        <translation>测试腿长 %1</translation>
     </message>
     <message>
         <source>Test progress</source>
         <translation>测试进度</translation>
     </message>
     <message>
-        <source>Moves to the attitude of the published test, measures it and compares</source>
-        <translation>运动到论文实验的姿态，测量并比较</translation>
+        <source>Moves to the pose of the published test, measures it and compares</source>
+        <translation>运动到论文实验的位姿，测量并比较</translation>
     </message>
     <message>
         <source>Ended: the connection was closed</source>
         <translation>已结束：连接已关闭</translation>
     </message>
     <message>
-        <source>No attitude of this test can be reached from here. Nothing moved.</source>
-        <translation>从当前位姿无法到达此测试的任何姿态。未产生运动。</translation>
+        <source>No pose of this test can be reached from here. Nothing moved.</source>
+        <translation>从当前位姿无法到达此测试的任何位姿。未产生运动。</translation>
     </message>
     <message>
         <source>The test is under way; Stop ends it</source>
@@ -587,7 +587,7 @@ FSI：以小步沿支腿路径跟踪
     </message>
     <message>
         <source>Ended by Stop. Press Clear before the next one.</source>
-        <translation>已由“停止”结束。下次测试前请先按“清除”。</translation>
+        <translation>已由“停止”结束。下次测试前请先按“故障复位”。</translation>
     </message>
 </context>
 <context>
@@ -653,7 +653,7 @@ FSI：以小步沿支腿路径跟踪
         <translation>点动 +%1</translation>
     </message>
     <message>
-        <source>How far it can go this way from the present pose</source>
+        <source>How far it can go in this direction from the present pose</source>
         <translation>从当前位姿沿此方向还能运动多远</translation>
     </message>
     <message>
@@ -674,7 +674,7 @@ FSI：以小步沿支腿路径跟踪
     </message>
     <message>
         <source>Press Clear and Enable first; a jog needs the drives on</source>
-        <translation>请先按“清除”和“使能”；点动需要驱动打开</translation>
+        <translation>请先按“故障复位”和“使能”；点动需要驱动打开</translation>
     </message>
     <message>
         <source>Press Enable first; a jog needs the drives on</source>
@@ -696,8 +696,8 @@ FSI：以小步沿支腿路径跟踪
         <translation>支腿</translation>
     </message>
     <message>
-        <source>commanded, mm</source>
-        <translation>指令，mm</translation>
+        <source>set-point, mm</source>
+        <translation>设定值，mm</translation>
     </message>
     <message>
         <source>measured, mm</source>
@@ -712,8 +712,8 @@ FSI：以小步沿支腿路径跟踪
         <translation>行程内位置</translation>
     </message>
     <message>
-        <source>Leg %1 commanded</source>
-        <translation>支腿 %1 指令值</translation>
+        <source>Leg %1 set-point</source>
+        <translation>支腿 %1 设定值</translation>
     </message>
     <message>
         <source>Leg %1 measured</source>
@@ -751,7 +751,7 @@ FSI：以小步沿支腿路径跟踪
         <translation>关节空间：各支腿长度按直线变化。工作空间：平台沿直线路径运动，以实测位姿闭环。切换模式不会产生运动。</translation>
     </message>
     <message>
-        <source>Ways to move</source>
+        <source>Motion pages</source>
         <translation>运动方式</translation>
     </message>
     <message>
@@ -794,19 +794,15 @@ FSI：以小步沿支腿路径跟踪
         <translation>已命名的位姿</translation>
     </message>
     <message>
-        <source>Choose a pose to put it into the fields, or type a name to keep them under</source>
+        <source>Choose a pose to load it into the fields, or type a name to save them under</source>
         <translation>选择一个位姿填入各字段，或输入名称以保存当前字段</translation>
     </message>
     <message>
-        <source>Keep</source>
-        <translation>保存</translation>
-    </message>
-    <message>
-        <source>Keep pose</source>
+        <source>Save pose</source>
         <translation>保存位姿</translation>
     </message>
     <message>
-        <source>Keep the fields under this name; nothing moves</source>
+        <source>Save the fields under this name (no motion)</source>
         <translation>以此名称保存各字段，不产生任何运动</translation>
     </message>
     <message>
@@ -940,7 +936,7 @@ FSI：以小步沿支腿路径跟踪
     </message>
     <message>
         <source>The largest error that the 0.1 mm resolution of the lengths explains</source>
-        <translation>由 0.1 mm 杆长分辨率所能解释的最大误差</translation>
+        <translation>由 0.1 mm 腿长分辨率所能解释的最大误差</translation>
     </message>
     <message>
         <source>Path %1</source>
@@ -959,12 +955,12 @@ FSI：以小步沿支腿路径跟踪
         <translation>预期误差 %1</translation>
     </message>
     <message>
-        <source>Singularity q</source>
-        <translation>奇异度 q</translation>
+        <source>Singularity margin q</source>
+        <translation>奇异裕度 q</translation>
     </message>
     <message>
-        <source>Singularity bar</source>
-        <translation>奇异度条</translation>
+        <source>Singularity margin bar</source>
+        <translation>奇异裕度条</translation>
     </message>
     <message>
         <source>Distance from a singular pose: 1 at home, 0 where the platform cannot be held. Amber below 0.2, red below 0.05.</source>
@@ -981,15 +977,15 @@ FSI：以小步沿支腿路径跟踪
 <context>
     <name>hexapose::ReportPanel</name>
     <message>
-        <source>The list of attitudes cannot be used: %1</source>
+        <source>The list of poses cannot be used: %1</source>
         <translation>无法使用该位姿列表：%1</translation>
     </message>
     <message>
-        <source>Mend the file, or choose another.</source>
+        <source>Correct the file, or choose another.</source>
         <translation>请修正该文件，或另选文件。</translation>
     </message>
     <message>
-        <source>There is no settled attitude to report yet</source>
+        <source>There is no settled pose to report yet</source>
         <translation>尚无已稳定的位姿可供报告</translation>
     </message>
     <message>
@@ -1009,15 +1005,15 @@ FSI：以小步沿支腿路径跟踪
         <translation>请另选文件夹。</translation>
     </message>
     <message>
-        <source>List of attitudes</source>
+        <source>List of poses</source>
         <translation>位姿列表</translation>
     </message>
     <message>
-        <source>Attitudes (*.csv);;All files (*)</source>
+        <source>Poses (*.csv);;All files (*)</source>
         <translation>位姿 (*.csv);;所有文件 (*)</translation>
     </message>
     <message>
-        <source>%1 of %2 attitudes done</source>
+        <source>%1 of %2 poses done</source>
         <translation>已完成 %1 / %2 个位姿</translation>
     </message>
     <message>
@@ -1026,14 +1022,14 @@ FSI：以小步沿支腿路径跟踪
     </message>
     <message>
         <source>Each settled Run becomes a sample too: 1 s of lengths, averaged, solved and compared with its target.</source>
-        <translation>每次稳定后的运行也成为一个样本：取 1 s 杆长平均，求解后与目标比较。</translation>
+        <translation>每次稳定后的运行也成为一个样本：取 1 s 腿长平均，求解后与目标比较。</translation>
     </message>
     <message>
         <source>Folder of the report</source>
         <translation>报告文件夹</translation>
     </message>
     <message>
-        <source>Attitudes</source>
+        <source>Poses</source>
         <translation>位姿</translation>
     </message>
     <message>
@@ -1053,7 +1049,7 @@ FSI：以小步沿支腿路径跟踪
         <translation>运行报告</translation>
     </message>
     <message>
-        <source>Move to each attitude in turn and measure it; the platform moves</source>
+        <source>Move to each pose in turn and measure it; the platform moves</source>
         <translation>依次运动到每个位姿并测量；平台会运动</translation>
     </message>
     <message>
@@ -1061,7 +1057,7 @@ FSI：以小步沿支腿路径跟踪
         <translation>清空样本</translation>
     </message>
     <message>
-        <source>Put the samples away</source>
+        <source>Discard all samples</source>
         <translation>丢弃全部样本</translation>
     </message>
     <message>
@@ -1161,11 +1157,11 @@ FSI：以小步沿支腿路径跟踪
     </message>
     <message>
         <source>no pose of these lengths found</source>
-        <translation>未找到符合这些杆长的位姿</translation>
+        <translation>未找到符合这些腿长的位姿</translation>
     </message>
     <message>
         <source>invalid lengths</source>
-        <translation>杆长无效</translation>
+        <translation>腿长无效</translation>
     </message>
     <message>
         <source>outside the model&apos;s range</source>
@@ -1253,11 +1249,11 @@ FSI：以小步沿支腿路径跟踪
     </message>
     <message>
         <source>Length resolution</source>
-        <translation>杆长分辨率</translation>
+        <translation>腿长分辨率</translation>
     </message>
     <message>
         <source>Error: solved pose minus target. Maximum: of the absolute value. Predicted: what lengths rounded to %1 explain by themselves, through the inverse of the Jacobian; the bound is the worst case, the largest of all samples.</source>
-        <translation>误差：求解位姿减去目标位姿。最大：绝对值的最大值。预测：杆长按 %1 取整本身经雅可比矩阵之逆所能解释的误差；上界为最坏情况，取所有样本中的最大值。</translation>
+        <translation>误差：求解位姿减去目标位姿。最大：绝对值的最大值。预测：腿长按 %1 舍入本身经雅可比矩阵之逆所能解释的误差；上界为最坏情况，取所有样本中的最大值。</translation>
     </message>
     <message>
         <source>Sample %1</source>
@@ -1269,7 +1265,7 @@ FSI：以小步沿支腿路径跟踪
     </message>
     <message>
         <source>Lengths (mm): %1</source>
-        <translation>杆长（mm）：%1</translation>
+        <translation>腿长（mm）：%1</translation>
     </message>
     <message>
         <source>page %1 of %2</source>
@@ -1309,11 +1305,11 @@ FSI：以小步沿支腿路径跟踪
 <context>
     <name>hexapose::SettleLine</name>
     <message>
-        <source>inside %1 mm and %2° for %3 s</source>
+        <source>within %1 mm and %2° for %3 s</source>
         <translation>在 %1 mm 和 %2° 以内持续 %3 s</translation>
     </message>
     <message>
-        <source>each leg inside %1 mm for %2 s</source>
+        <source>each leg within %1 mm for %2 s</source>
         <translation>各支腿在 %1 mm 以内持续 %2 s</translation>
     </message>
     <message>
@@ -1344,8 +1340,8 @@ FSI：以小步沿支腿路径跟踪
         <translation>速度</translation>
     </message>
     <message>
-        <source>Part of full speed for everything that moves, also in mid-move</source>
-        <translation>所有运动相对全速的比例，运动中也可更改</translation>
+        <source>Speed override: per cent of full speed for every motion; may be changed during a move</source>
+        <translation>速度倍率：所有运动相对全速的百分比，运动中也可更改</translation>
     </message>
     <message>
         <source>Speed in force</source>
@@ -1364,7 +1360,7 @@ FSI：以小步沿支腿路径跟踪
     </message>
     <message>
         <source>Age</source>
-        <translation>数据龄期</translation>
+        <translation>数据延迟</translation>
     </message>
     <message>
         <source>Solver</source>
@@ -1435,11 +1431,11 @@ FSI：以小步沿支腿路径跟踪
     </message>
     <message>
         <source>No pose of these lengths was found</source>
-        <translation>未找到符合这些杆长的位姿</translation>
+        <translation>未找到符合这些腿长的位姿</translation>
     </message>
     <message>
         <source>Invalid lengths</source>
-        <translation>杆长无效</translation>
+        <translation>腿长无效</translation>
     </message>
     <message>
         <source>Outside the model&apos;s range</source>
@@ -1462,12 +1458,12 @@ FSI：以小步沿支腿路径跟踪
         <translation>无法运行：该发送端不接受命令</translation>
     </message>
     <message>
-        <source>Cannot run: no valid measurement arrives</source>
+        <source>Cannot run: no valid measurement received</source>
         <translation>无法运行：没有收到有效的测量值</translation>
     </message>
     <message>
         <source>Cannot run: press Clear first</source>
-        <translation>无法运行：请先按“清除”</translation>
+        <translation>无法运行：请先按“故障复位”</translation>
     </message>
     <message>
         <source>Cannot run while the platform moves</source>
@@ -1521,8 +1517,8 @@ FSI：以小步沿支腿路径跟踪
         <translation>其他轴不动时，该轴从当前位姿可到达的范围</translation>
     </message>
     <message>
-        <source>range from here</source>
-        <translation>当前可达范围</translation>
+        <source>limits</source>
+        <translation>极限</translation>
     </message>
     <message>
         <source>Validity</source>
@@ -1542,7 +1538,7 @@ FSI：以小步沿支腿路径跟踪
     </message>
     <message>
         <source>Reset</source>
-        <translation>复位</translation>
+        <translation>填入零位</translation>
     </message>
     <message>
         <source>Put the home pose into the fields; nothing moves</source>
@@ -1588,7 +1584,7 @@ FSI：以小步沿支腿路径跟踪
         <translation>过于接近奇异位姿：裕度 %1，至少需要 %2</translation>
     </message>
     <message>
-        <source>The legs would lead to another pose than the target</source>
+        <source>The legs would reach another pose than the target</source>
         <translation>支腿会导向与目标不同的位姿</translation>
     </message>
     <message>
@@ -1624,8 +1620,8 @@ FSI：以小步沿支腿路径跟踪
         <translation>越过奇异位姿：q 将为 %1，至少需要 %2</translation>
     </message>
     <message>
-        <source>Leg %1 would move too fast</source>
-        <translation>支腿 %1 将运动过快</translation>
+        <source>Leg %1 would exceed its speed limit</source>
+        <translation>支腿 %1 将超过其速度极限</translation>
     </message>
     <message>
         <source>%1 would be outside its allowed range</source>
@@ -1641,7 +1637,7 @@ FSI：以小步沿支腿路径跟踪
     </message>
     <message>
         <source>Leg %1 would exceed its acceleration limit</source>
-        <translation>支腿 %1 将超过其加速度限值</translation>
+        <translation>支腿 %1 将超过其加速度极限</translation>
     </message>
     <message>
         <source>The path runs along a singular pose, or is too long to be checked in time</source>
@@ -1667,8 +1663,8 @@ FSI：以小步沿支腿路径跟踪
         <translation>载入路径点</translation>
     </message>
     <message>
-        <source>Attitudes (*.csv);;All files (*)</source>
-        <translation>姿态 (*.csv);;所有文件 (*)</translation>
+        <source>Poses (*.csv);;All files (*)</source>
+        <translation>位姿 (*.csv);;所有文件 (*)</translation>
     </message>
     <message>
         <source>Way-points</source>
@@ -1724,7 +1720,7 @@ FSI：以小步沿支腿路径跟踪
     </message>
     <message>
         <source>Play</source>
-        <translation>播放</translation>
+        <translation>执行</translation>
     </message>
     <message>
         <source>Visit them all, from the first; the platform moves</source>
@@ -1780,7 +1776,7 @@ FSI：以小步沿支腿路径跟踪
     </message>
     <message>
         <source>Add poses, or load them; nothing moves until Play or Step</source>
-        <translation>请添加或载入位姿；按“播放”或“单步”前不会产生运动</translation>
+        <translation>请添加或载入位姿；按“执行”或“单步”前不会产生运动</translation>
     </message>
     <message>
         <source>Ended at way-point %1: the connection was closed</source>
@@ -1807,8 +1803,8 @@ FSI：以小步沿支腿路径跟踪
         <translation>已到达路径点 %1</translation>
     </message>
     <message>
-        <source>Stopped on the way to way-point %1. Press Clear, then Play or Step.</source>
-        <translation>在前往路径点 %1 途中停止。请按“清除”，再按“播放”或“单步”。</translation>
+        <source>Stopped while moving to way-point %1. Press Clear, then Play or Step.</source>
+        <translation>在前往路径点 %1 途中停止。请按“故障复位”，再按“执行”或“单步”。</translation>
     </message>
     <message>
         <source>%1 way-points from %2</source>
@@ -1983,8 +1979,8 @@ PgDn、PgUp：z
         <translation>最近的测量值太旧</translation>
     </message>
     <message>
-        <source>disabling was asked for</source>
-        <translation>已请求去使能</translation>
+        <source>disabling was commanded</source>
+        <translation>已下达去使能指令</translation>
     </message>
     <message>
         <source>leg %1 is %2 mm from its set-point, more than %3 mm</source>
@@ -2036,7 +2032,7 @@ PgDn、PgUp：z
     </message>
     <message>
         <source>Clear</source>
-        <translation>清除</translation>
+        <translation>故障复位</translation>
     </message>
     <message>
         <source>Set-point</source>

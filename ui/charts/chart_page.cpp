@@ -267,7 +267,7 @@ void ChartPage::applySubject() {
 }
 
 void ChartPage::retranslate() {
-    label(*m_attitude, tr("Attitude"));
+    label(*m_attitude, tr("Pose"));
     label(*m_legs, tr("Legs"));
     label(*m_errors, tr("Errors"));
     label(*m_pause, isPaused() ? tr("Resume") : tr("Pause"));

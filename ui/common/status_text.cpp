@@ -119,7 +119,7 @@ QString linkHindrance(const Snapshot& snapshot) {
     if (snapshot.link == LinkState::ListenOnly) {
         return StatusText::tr("Cannot run: this sender takes no commands");
     }
-    return snapshot.stale ? StatusText::tr("Cannot run: no valid measurement arrives") : QString();
+    return snapshot.stale ? StatusText::tr("Cannot run: no valid measurement received") : QString();
 }
 
 QString solveStatusText(SolveStatus status) {

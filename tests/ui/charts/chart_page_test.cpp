@@ -62,7 +62,7 @@ TEST_F(ChartPageTest, ShowsTheSixCoordinatesThenLegsThenErrors) {
     press("Errors");
     EXPECT_NEAR(shown(0), -2.0, kRounding);
     EXPECT_FALSE(page.charts()[0]->subject().target);
-    press("Attitude");
+    press("Pose");
     EXPECT_NEAR(shown(0), 10.0, kRounding);
 }
 

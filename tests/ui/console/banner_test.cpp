@@ -38,7 +38,7 @@ TEST(Banner, SpeaksUpForWhatMustNotBeMissedAndIsGoneAfterwards) {
     snapshot.link = LinkState::ListenOnly;
     snapshot.stale = false;
     banner.showSnapshot(snapshot, true);
-    EXPECT_TRUE(message(banner).contains(QStringLiteral("unprotected")));
+    EXPECT_TRUE(message(banner).contains(QStringLiteral("without checksums")));
     banner.showLogFailure(QStringLiteral("No space left on device"));
     EXPECT_TRUE(message(banner).contains(QStringLiteral("No space left")));
     banner.showLogFailure({});

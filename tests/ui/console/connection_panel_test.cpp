@@ -102,7 +102,7 @@ TEST_F(ConnectionPanelTest, TheSolverIsChosenWhileNothingMoves) {
     panel.setSolverPending(true);
     EXPECT_FALSE(box->isEnabled());
     EXPECT_EQ(panel.focusWidget(), nullptr) << "and no button is the next key's";
-    EXPECT_NE(box->toolTip().indexOf(QStringLiteral("made ready")), -1);
+    EXPECT_NE(box->toolTip().indexOf(QStringLiteral("prepared")), -1);
     panel.setSolverPending(false);
     EXPECT_TRUE(box->isEnabled());
     EXPECT_EQ(panel.focusWidget(), box);

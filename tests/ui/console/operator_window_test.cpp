@@ -142,7 +142,7 @@ TEST_F(OperatorWindowTest, EveryControlHasANameInEveryLanguage) {
                             "Reset",
                             "Connect",
                             "Leg 1 measured",
-                            "Leg 6 commanded",
+                            "Leg 6 set-point",
                             "Leg 3 error",
                             "Measured x",
                             "Measured gamma",
@@ -157,7 +157,7 @@ TEST_F(OperatorWindowTest, EveryControlHasANameInEveryLanguage) {
                             "Dropped frames",
                             "Export report",
                             "Run report",
-                            "Attitude",
+                            "Pose",
                             "Legs",
                             "Errors",
                             "Connection",
@@ -180,7 +180,7 @@ TEST_F(OperatorWindowTest, EveryControlHasANameInEveryLanguage) {
                             "Test measured x",
                             "Test length 6",
                             "Settled",
-                            "Singularity q"};
+                            "Singularity margin q"};
     for (const QString& name : names) {
         EXPECT_EQ(spokenNames().count(name), 1) << name.toStdString();
     }
@@ -321,7 +321,7 @@ TEST_F(OperatorWindowTest, StopEndsAListAndSoDoesAnotherMotion) {
     button("Stop")->click();
     EXPECT_FALSE(list.isRunning());
     ASSERT_TRUE(waitFor([this] { return !window.latest().held; })) << "a stop ends the hold too";
-    EXPECT_TRUE(spoken("Way-point progress").contains(QStringLiteral("Stopped on the way to way-point 1")));
+    EXPECT_TRUE(spoken("Way-point progress").contains(QStringLiteral("Stopped while moving to way-point 1")));
     ASSERT_TRUE(waitFor([this] { return spoken("State") == "Stopped"; }));
     button("Clear")->click();
     ASSERT_TRUE(waitFor([this] { return spoken("State") == "Disabled"; }));

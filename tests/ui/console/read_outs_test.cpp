@@ -78,23 +78,23 @@ TEST(StatusPanel, AStateThatIsNotKnownIsNotShown) {
 TEST(PosePanel, ShowsHowFarFromSingularItIs) {
     const PlatformGeometry geometry = laboratoryPlatform();
     PosePanel panel(geometry);
-    EXPECT_EQ(spoken(panel, "Singularity q"), "--");
+    EXPECT_EQ(spoken(panel, "Singularity margin q"), "--");
     Snapshot snapshot = snapshotAt(geometry, Pose{}, Pose{}, RunState::Enabled, 1.0);
-    QWidget* q = findByName(panel, QStringLiteral("Singularity q"));
+    QWidget* q = findByName(panel, QStringLiteral("Singularity margin q"));
     const std::pair<double, Tone> zones[] = {{0.98, Tone::Idle}, {0.2, Tone::Idle},  {0.19, Tone::Warn},
                                              {0.05, Tone::Warn}, {0.049, Tone::Bad}, {-0.3, Tone::Bad}};
     for (const auto& [value, tone] : zones) {
         snapshot.determinantRatio = value;
         panel.showSnapshot(snapshot);
-        EXPECT_NEAR(spoken(panel, "Singularity q").toDouble(), value, 1e-3);
+        EXPECT_NEAR(spoken(panel, "Singularity margin q").toDouble(), value, 1e-3);
         EXPECT_EQ(toneOf(*q), tone) << value;
     }
     snapshot.stale = true;
     panel.showSnapshot(snapshot);
-    EXPECT_TRUE(stale(panel, "Singularity q"));
+    EXPECT_TRUE(stale(panel, "Singularity margin q"));
     snapshot.measuredPose.reset();
     panel.showSnapshot(snapshot);
-    EXPECT_EQ(spoken(panel, "Singularity q"), "--");
+    EXPECT_EQ(spoken(panel, "Singularity margin q"), "--");
 }
 
 TEST(SettleLine, SaysTheWindowAndTheTime) {
@@ -113,13 +113,13 @@ TEST(SettleLine, SaysTheWindowAndTheTime) {
     };
     EXPECT_EQ(show(RunState::Moving), "Moving");
     EXPECT_TRUE(
-        show(RunState::Settling).startsWith(QStringLiteral("Not settled yet: inside 0.20 mm and 0.10")));
+        show(RunState::Settling).startsWith(QStringLiteral("Not settled yet: within 0.20 mm and 0.10")));
     EXPECT_EQ(show(RunState::Enabled), "--") << "nobody said that it has settled";
     snapshot.events.push_back({EventCode::Settled, 1.0});
-    EXPECT_EQ(show(RunState::Enabled), QString::fromUtf8("Settled: inside 0.20 mm and 0.10\u00b0 for 0.3 s"));
+    EXPECT_EQ(show(RunState::Enabled), QString::fromUtf8("Settled: within 0.20 mm and 0.10\u00b0 for 0.3 s"));
     snapshot.events.clear();
     snapshot.mode = MotionMode::Joint;
-    EXPECT_EQ(show(RunState::Enabled), "Settled: each leg inside 0.20 mm for 0.3 s");
+    EXPECT_EQ(show(RunState::Enabled), "Settled: each leg within 0.20 mm for 0.3 s");
     EXPECT_EQ(show(RunState::Stopped), "--");
     EXPECT_EQ(show(RunState::Enabled), "--");
 }
@@ -133,7 +133,7 @@ TEST(LegsPanel, ShowsCommandedMeasuredAndErrorAndGreysOldValues) {
     snapshot.measuredLengths = LegLengths::Constant(0.3001);
     panel.showSnapshot(snapshot);
     for (int leg = 1; leg <= kLegCount; ++leg) {
-        EXPECT_EQ(spokenText(panel, QStringLiteral("Leg %1 commanded").arg(leg)), "300.000");
+        EXPECT_EQ(spokenText(panel, QStringLiteral("Leg %1 set-point").arg(leg)), "300.000");
         EXPECT_EQ(spokenText(panel, QStringLiteral("Leg %1 measured").arg(leg)), "300.100");
         EXPECT_EQ(spokenText(panel, QStringLiteral("Leg %1 error").arg(leg)), "0.100");
     }
@@ -141,7 +141,7 @@ TEST(LegsPanel, ShowsCommandedMeasuredAndErrorAndGreysOldValues) {
     snapshot.stale = true;
     panel.showSnapshot(snapshot);
     EXPECT_TRUE(stale(panel, "Leg 6 measured"));
-    EXPECT_FALSE(stale(panel, "Leg 6 commanded"));
+    EXPECT_FALSE(stale(panel, "Leg 6 set-point"));
 }
 
 TEST(StatusPanel, ShowsStateRateAgeAndWhatTheSolverSaid) {

@@ -183,13 +183,13 @@ TEST_F(TargetPanelTest, PosesAreKeptChosenReplacedAndRemovedByTheirNames) {
     auto* box = qobject_cast<QComboBox*>(findByName(panel, QStringLiteral("Pose name")));
     ASSERT_NE(box, nullptr);
     live(Pose{});
-    EXPECT_FALSE(button("Keep pose")->isEnabled());
+    EXPECT_FALSE(button("Save pose")->isEnabled());
     const auto keep = [&](const char* name, const char* z) {
         type("Target z", z);
         box->setFocus();
         box->lineEdit()->selectAll();
         QTest::keyClicks(box->lineEdit(), QString::fromUtf8(name));
-        button("Keep pose")->click();
+        button("Save pose")->click();
     };
     keep("loading", "30");
     keep("a scan", "-5");
@@ -202,7 +202,7 @@ TEST_F(TargetPanelTest, PosesAreKeptChosenReplacedAndRemovedByTheirNames) {
     QTest::keyClick(box, Qt::Key_Up); // the first of two
     EXPECT_NEAR(panel.target()->offset[2], -0.005, 1e-12);
     type("Target z", "-");
-    EXPECT_FALSE(button("Keep pose")->isEnabled()) << "there is no whole pose to keep";
+    EXPECT_FALSE(button("Save pose")->isEnabled()) << "there is no whole pose to keep";
     EXPECT_TRUE(button("Remove pose")->isEnabled());
     button("Remove pose")->click();
     EXPECT_FALSE(button("Remove pose")->isEnabled());

@@ -187,7 +187,7 @@ TEST_F(WayPointsTest, ARefusalAFaultAndAStopEndItWithTheirReason) {
     const std::pair<Event, const char*> ends[] = {
         {eventFrom("move-refused leg 3 above max_mm"), "Leg 3 would be above"},
         {eventFrom("controller-fault overheated"), "overheated"},
-        {{EventCode::StoppedOnStaleData}, "the measurements stayed away"}};
+        {{EventCode::StoppedOnStaleData}, "no measurements received"}};
     for (const auto& [event, words] : ends) {
         asked.clear();
         panel.table().setPoses(three);
@@ -203,7 +203,7 @@ TEST_F(WayPointsTest, ARefusalAFaultAndAStopEndItWithTheirReason) {
     }
     button("Play")->click();
     panel.stopped();
-    EXPECT_EQ(message().rfind("Stopped on the way to way-point 1", 0), 0U) << message();
+    EXPECT_EQ(message().rfind("Stopped while moving to way-point 1", 0), 0U) << message();
 }
 
 TEST_F(WayPointsTest, RowsAreAddedMovedAndRemoved) {

@@ -31,7 +31,7 @@ QString refusalAdvice(const CommandRefusal& refusal) {
     const bool moving = refusal.state == RunState::Moving || refusal.state == RunState::Settling;
     if (refusal.command == Command::Jog && !down) {
         return moving ? EventWords::tr("Wait until the motion is over.")
-                      : EventWords::tr("Press Enable first; a jog does not put the drives on.");
+                      : EventWords::tr("Press Enable first; a jog does not switch the drives on.");
     }
     if (down) {
         return EventWords::tr("After a stop or a fault press Clear first.");
@@ -59,18 +59,18 @@ EventText linkText(const Event& event) {
     case EventCode::Connected:
         return {withPayload(EventWords::tr("Connected"), event), {}, Tone::Good};
     case EventCode::ListenOnly:
-        return {EventWords::tr("An unprotected sender of lengths"),
+        return {EventWords::tr("Listen-only source without checksums"),
                 EventWords::tr(
-                    "Its values are shown, but it takes no commands and errors on the line stay unseen."),
+                    "Its values are shown, but it takes no commands, and transmission errors go unnoticed."),
                 Tone::Warn};
     case EventCode::LinkLost:
-        return {withPayload(EventWords::tr("The link is lost"), event),
+        return {withPayload(EventWords::tr("Connection lost"), event),
                 EventWords::tr("Check the cable and the port; the console keeps trying."), Tone::Bad};
     case EventCode::DataStale:
         return {EventWords::tr("No valid measurement for %1 ms").arg(fixed(event.value(), 0)),
                 EventWords::tr("The values shown are old. Check the controller and the line."), Tone::Bad};
     case EventCode::DataFresh:
-        return {EventWords::tr("Measurements arrive"), {}, Tone::Good};
+        return {EventWords::tr("Receiving measurements"), {}, Tone::Good};
     case EventCode::ClockWentBack:
         return {EventWords::tr("The controller's clock went back"),
                 EventWords::tr("It was probably restarted. Reference it again if it asks for it."),
@@ -93,7 +93,7 @@ EventText stopText(const Event& event) {
     case EventCode::StoppedByController:
         return {withPayload(EventWords::tr("The controller stopped the move"), event), clear, Tone::Bad};
     case EventCode::StoppedOnStaleData:
-        return {EventWords::tr("Stopped: the measurements stayed away"), clear, Tone::Bad};
+        return {EventWords::tr("Stopped: no measurements received"), clear, Tone::Bad};
     case EventCode::StoppedOnSolver:
         return {withPayload(EventWords::tr("Stopped: the lengths gave no usable pose"), event), clear,
                 Tone::Bad};
@@ -114,14 +114,14 @@ EventText stopText(const Event& event) {
             withPayload(EventWords::tr("Stopped: the controller gave another name or other limits"), event),
             clear, Tone::Bad};
     case EventCode::StoppedAfterLoss:
-        return {EventWords::tr("The link is back after a loss in mid-move: a stop was sent"), clear,
+        return {EventWords::tr("Connection restored after a loss during a move: a stop was sent"), clear,
                 Tone::Bad};
     case EventCode::DisableUnconfirmed:
         return {EventWords::tr("The controller did not confirm that the drives are off"),
-                EventWords::tr("Look at the machine; take its drives off there."), Tone::Bad};
+                EventWords::tr("Check the machine; switch its drives off there."), Tone::Bad};
     case EventCode::LoopFailed:
         return {withPayload(EventWords::tr("The control loop ended"), event),
-                EventWords::tr("Disconnect and connect again; keep the log for the maker."), Tone::Bad};
+                EventWords::tr("Disconnect and connect again; send the log to the manufacturer."), Tone::Bad};
     case EventCode::ControllerFault:
         return {withPayload(EventWords::tr("Fault of the controller"), event),
                 EventWords::tr("Remove the cause at the machine, then press Clear."), Tone::Bad};
@@ -135,8 +135,7 @@ EventText refusalText(const Event& event) {
     case EventCode::MoveRefused:
         return {withPayload(EventWords::tr("The move was refused"), event), moveAdvice(event), Tone::Warn};
     case EventCode::PreparationFailed:
-        return {withPayload(EventWords::tr("The move did not begin: the platform could not be made ready"),
-                            event),
+        return {withPayload(EventWords::tr("The move did not start: referencing or enabling failed"), event),
                 EventWords::tr("Press Reference or Enable and see what the controller answers."), Tone::Warn};
     case EventCode::ControllerRefused:
         return {withPayload(EventWords::tr("The controller refused"), event),
@@ -146,7 +145,7 @@ EventText refusalText(const Event& event) {
                 event.get<CommandRefusal>() ? refusalAdvice(*event.get<CommandRefusal>()) : QString(),
                 Tone::Warn};
     case EventCode::JogLimited:
-        return {withPayload(EventWords::tr("The jog came to rest before a limit"), event),
+        return {withPayload(EventWords::tr("The jog stopped before a limit"), event),
                 EventWords::tr("Jog the other way, or along another axis."), Tone::Warn};
     case EventCode::NotSettled:
         return {EventWords::tr("The legs had not settled after %1 s").arg(fixed(event.value(), 1)),

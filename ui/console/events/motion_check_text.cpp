@@ -65,7 +65,7 @@ QString envelopeText(const MotionCheck& check) {
 QString legRateText(const MotionCheck& check) {
     if (!hasNumbers(check)) {
         const QString text = check.reason == MotionCheck::Reason::LegSpeed
-                                 ? MotionCheckText::tr("Leg %1 would move too fast")
+                                 ? MotionCheckText::tr("Leg %1 would exceed its speed limit")
                                  : MotionCheckText::tr("Leg %1 would exceed its acceleration limit");
         return text.arg(check.leg);
     }
@@ -97,7 +97,7 @@ QString reasonText(const MotionCheck& check) {
         return MotionCheckText::tr("Too close to a singular pose: margin %1, at least %2 is needed")
             .arg(number(check.value, 3), number(check.bound, 3));
     case MotionCheck::Reason::OtherAssemblyMode:
-        return MotionCheckText::tr("The legs would lead to another pose than the target");
+        return MotionCheckText::tr("The legs would reach another pose than the target");
     case MotionCheck::Reason::PathNearSingular:
         return MotionCheckText::tr("The path comes too close to a singular pose");
     case MotionCheck::Reason::OutsideEnvelope:

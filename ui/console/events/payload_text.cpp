@@ -115,7 +115,7 @@ QString text(SweepFault fault) {
 }
 
 QString text(Command command) {
-    return command == Command::Disable ? PayloadText::tr("disabling was asked for") : QString();
+    return command == Command::Disable ? PayloadText::tr("disabling was commanded") : QString();
 }
 
 QString text(ControllerState state) {

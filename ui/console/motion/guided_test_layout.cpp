@@ -118,9 +118,9 @@ void GuidedTestPanel::showResult() {
 
 void GuidedTestPanel::retranslate() {
     label(*m_start, tr("Guided test"),
-          tr("Go to the attitude of the published test, wait until it has settled, average the "
-             "lengths for 1 s, solve and compare; the platform moves"));
-    const QString steps[] = {tr("Move to the attitude"), tr("Wait until it has settled"),
+          tr("Go to the pose of the published test, wait until it has settled, average the lengths for 1 s, "
+             "solve and compare; the platform moves"));
+    const QString steps[] = {tr("Move to the pose"), tr("Wait until it has settled"),
                              tr("Average the lengths for 1 s"), tr("Solve and compare")};
     for (std::size_t i = 0; i < m_stepTexts.size(); ++i) {
         m_stepTexts[i]->setText(steps[i]);

@@ -29,7 +29,7 @@ GuidedTestPanel::GuidedTestPanel(const PlatformGeometry& geometry, QWidget* pare
     column->addWidget(m_message);
     column->addStretch(1);
     connect(m_start, &QPushButton::clicked, this, &GuidedTestPanel::start);
-    m_text = [] { return tr("Moves to the attitude of the published test, measures it and compares"); };
+    m_text = [] { return tr("Moves to the pose of the published test, measures it and compares"); };
     retranslate();
     updateButton();
 }
@@ -64,7 +64,7 @@ void GuidedTestPanel::start() {
     }
     const auto target = guidedAttitude(m_judge, m_measured, m_mode);
     if (!target) {
-        tell([] { return tr("No attitude of this test can be reached from here. Nothing moved."); });
+        tell([] { return tr("No pose of this test can be reached from here. Nothing moved."); });
         return;
     }
     m_test.emplace(m_judge.geometry(), m_solver, *target, m_ids.take());

@@ -192,7 +192,7 @@ void JogPanel::retranslate() {
         button(axis, true)->setToolTip(keys);
     }
     for (QLabel* range : m_ranges) {
-        range->setToolTip(tr("How far it can go this way from the present pose"));
+        range->setToolTip(tr("How far it can go in this direction from the present pose"));
     }
     for (QLabel* head : m_rangeHeads) {
         head->setText(tr("range left"));

@@ -163,7 +163,7 @@ void MotionPanel::retranslate() {
     m_mode->setToolTip(
         tr("Joint: each leg on a straight path in its length. Workspace: the platform on a straight "
            "path, the loop closed on its measured pose. Changing it moves nothing."));
-    m_tabs->setAccessibleName(tr("Ways to move"));
+    m_tabs->setAccessibleName(tr("Motion pages"));
     m_tabs->setTabText(Target, tr("Target"));
     m_tabs->setTabText(Jog, tr("Jog"));
     m_tabs->setTabText(WayPoints, tr("Way-points"));

@@ -117,8 +117,8 @@ void NamedPoses::retranslate() {
         widget->setAccessibleName(tr("Pose name"));
     }
     m_box->lineEdit()->setPlaceholderText(tr("Named poses"));
-    m_box->setToolTip(tr("Choose a pose to put it into the fields, or type a name to keep them under"));
-    label(*m_keep, tr("Keep"), tr("Keep pose"), tr("Keep the fields under this name; nothing moves"));
+    m_box->setToolTip(tr("Choose a pose to load it into the fields, or type a name to save them under"));
+    label(*m_keep, tr("Save pose"), tr("Save pose"), tr("Save the fields under this name (no motion)"));
     label(*m_remove, tr("Remove"), tr("Remove pose"), tr("Delete this pose"));
 }
 

@@ -76,7 +76,8 @@ void SpeedControl::showPart() {
 void SpeedControl::retranslate() {
     setCaption(*m_label, tr("Speed"));
     m_slider->setAccessibleName(tr("Speed"));
-    m_slider->setToolTip(tr("Part of full speed for everything that moves, also in mid-move"));
+    m_slider->setToolTip(
+        tr("Speed override: per cent of full speed for every motion; may be changed during a move"));
     m_readOut->setAccessibleName(tr("Speed in force"));
     showPart();
 }

@@ -310,7 +310,7 @@ void TargetPanel::retranslate() {
                                                            : tr("Displacement in mm"));
         m_ranges[i]->setToolTip(tr("How far this axis alone can go from the present pose"));
     }
-    m_rangeTitle->setText(tr("range from here"));
+    m_rangeTitle->setText(tr("limits"));
     m_validity->setAccessibleName(tr("Validity"));
     label(*m_run, tr("Run"));
     label(*m_reset, tr("Reset"), tr("Put the home pose into the fields; nothing moves"));

@@ -75,7 +75,7 @@ void WayPointsPanel::build() {
 /// Beside the window and not before it: Stop stays within reach.
 void WayPointsPanel::chooseFile(bool toSave) {
     auto* dialog = new QFileDialog(this, toSave ? tr("Save the way-points") : tr("Load way-points"),
-                                   QString(), tr("Attitudes (*.csv);;All files (*)"));
+                                   QString(), tr("Poses (*.csv);;All files (*)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(toSave ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
     dialog->setFileMode(toSave ? QFileDialog::AnyFile : QFileDialog::ExistingFile);

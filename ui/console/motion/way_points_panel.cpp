@@ -147,7 +147,7 @@ void WayPointsPanel::stopped() {
     if (isRunning()) {
         const QString row = QString::number(visited() + 1);
         end([row] {
-            return tr("Stopped on the way to way-point %1. Press Clear, then Play or Step.").arg(row);
+            return tr("Stopped while moving to way-point %1. Press Clear, then Play or Step.").arg(row);
         });
     }
 }

@@ -60,7 +60,7 @@ void ReportPanel::showSnapshot(const Snapshot& snapshot) {
 
 void ReportPanel::updateRun() {
     m_run->setEnabled(m_connected && m_hindrance.isEmpty() && !isRunning());
-    const QString tip = tr("Move to each attitude in turn and measure it; the platform moves");
+    const QString tip = tr("Move to each pose in turn and measure it; the platform moves");
     m_run->setToolTip(m_hindrance.isEmpty() ? tip : m_hindrance);
     m_run->setAccessibleDescription(m_run->toolTip());
 }
@@ -136,8 +136,8 @@ void ReportPanel::runReport() {
         const QString reason = QString::fromUtf8(error.what());
         m_progress->showText(reason);
         emit noted([reason] {
-            return EventText{tr("The list of attitudes cannot be used: %1").arg(reason),
-                             tr("Mend the file, or choose another."), Tone::Warn};
+            return EventText{tr("The list of poses cannot be used: %1").arg(reason),
+                             tr("Correct the file, or choose another."), Tone::Warn};
         });
     }
 }
@@ -188,7 +188,7 @@ void ReportPanel::exportReport() {
         }
         m_exportPending = true;
         emit noted([] {
-            return EventText{tr("There is no settled attitude to report yet"),
+            return EventText{tr("There is no settled pose to report yet"),
                              tr("Press Run or Run report; the files are written once the first has settled."),
                              Tone::Idle};
         });
@@ -224,8 +224,7 @@ void ReportPanel::showFiles(const QString& text) {
 }
 
 void ReportPanel::chooseList() {
-    auto* dialog =
-        new QFileDialog(this, tr("List of attitudes"), QString(), tr("Attitudes (*.csv);;All files (*)"));
+    auto* dialog = new QFileDialog(this, tr("List of poses"), QString(), tr("Poses (*.csv);;All files (*)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
@@ -239,7 +238,7 @@ void ReportPanel::chooseList() {
 void ReportPanel::showProgress() {
     if (m_sequence) {
         m_progress->showText(
-            tr("%1 of %2 attitudes done")
+            tr("%1 of %2 poses done")
                 .arg(QString::number(m_sequence->finished()), QString::number(m_sequence->count())));
         if (m_sequence->phase() == PoseSequence::Phase::Failed && m_sequence->failure()) {
             m_progress->showText(tr("Ended early: %1").arg(sequenceEndText(*m_sequence)));

@@ -105,17 +105,17 @@ QWidget* ReportPanel::buildFolderRow() {
 }
 
 void ReportPanel::retranslate() {
-    m_listLabel->setText(tr("Attitudes"));
+    m_listLabel->setText(tr("Poses"));
     m_list->setItemText(0, tr("10 at random, within 10 mm and 10\u00b0"));
     if (!m_listFile.isEmpty()) {
         const QString file = QFileInfo(m_listFile).fileName();
         m_list->count() < 2 ? m_list->addItem(file) : m_list->setItemText(1, file);
     }
-    m_list->setAccessibleName(tr("List of attitudes"));
+    m_list->setAccessibleName(tr("List of poses"));
     label(*m_browseList, tr("From CSV..."), tr("Columns x_mm, y_mm, z_mm, alpha_deg, beta_deg, gamma_deg"));
     label(*m_run, tr("Run report"));
     updateRun();
-    label(*m_clear, tr("Clear samples"), tr("Put the samples away"));
+    label(*m_clear, tr("Clear samples"), tr("Discard all samples"));
     m_table->setAccessibleName(tr("Samples"));
     nameSampleColumns(*m_table);
     fillSampleTable(*m_table, m_report);

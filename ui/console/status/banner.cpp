@@ -80,8 +80,8 @@ void Banner::refresh() {
     } else if (!m_trainingFailure.isEmpty()) {
         text = m_trainingFailure;
     } else if (m_open && m_snapshot.link == LinkState::Lost) {
-        text = m_linkReason.isEmpty() ? tr("The link is lost; trying again")
-                                      : tr("The link is lost: %1; trying again").arg(m_linkReason);
+        text = m_linkReason.isEmpty() ? tr("Connection lost - reconnecting")
+                                      : tr("Connection lost: %1 - reconnecting").arg(m_linkReason);
     } else if (m_open && m_snapshot.link == LinkState::Connecting) {
         text = tr("Waiting for the controller to answer");
         tone = Tone::Warn;
@@ -93,8 +93,8 @@ void Banner::refresh() {
     } else if (!m_logFailure.isEmpty()) {
         text = tr("The log cannot be written: %1").arg(m_logFailure);
     } else if (m_open && m_snapshot.link == LinkState::ListenOnly) {
-        text =
-            tr("An unprotected sender of lengths: errors on the line stay unseen, and it takes no commands");
+        text = tr("Listen-only source without checksums: transmission errors go unnoticed, and it takes no "
+                  "commands");
         tone = Tone::Warn;
     }
     m_progress->setVisible(m_training);

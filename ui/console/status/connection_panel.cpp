@@ -201,12 +201,13 @@ void ConnectionPanel::updateSolver() {
     if (free && std::exchange(m_solverHadFocus, false) && window()->focusWidget() == nullptr) {
         m_solver->setFocus();
     }
-    const QString why = m_moving ? tr("The solver cannot be changed while the platform moves.")
-                        : m_solverPending
-                            ? tr("The solver is being made ready.")
-                            : tr("What makes the pose of the leg lengths.\nMPR3-NR, MPR2-NR: regression, "
-                                 "then Newton\nNewton: iteration alone\nFSI: follows the path of the legs in "
-                                 "small steps\nChanging it moves nothing.");
+    const QString why =
+        m_moving ? tr("The solver cannot be changed while the platform moves.")
+        : m_solverPending
+            ? tr("The solver is being prepared.")
+            : tr("Method that computes the pose from the leg lengths.\nMPR3-NR, MPR2-NR: regression, "
+                 "then Newton\nNewton: iteration alone\nFSI: follows the path of the legs in "
+                 "small steps\nChanging it moves nothing.");
     m_solver->setToolTip(why);
     m_solver->setAccessibleDescription(why);
 }
@@ -269,8 +270,8 @@ void ConnectionPanel::retranslate() {
     showConnectReason();
     label(*m_reference, tr("Reference"), tr("Find the reference of the legs"));
     label(*m_enable, m_drivesOn ? tr("Disable") : tr("Enable"),
-          m_drivesOn ? tr("Take the drives off") : tr("Put the drives on"));
-    label(*m_clear, tr("Clear"), tr("Leave a stop or a fault; nothing moves"));
+          m_drivesOn ? tr("Switch the drives off") : tr("Switch the drives on"));
+    label(*m_clear, tr("Clear"), tr("Acknowledge the stop or fault (no motion)"));
 }
 
 void ConnectionPanel::changeEvent(QEvent* event) {

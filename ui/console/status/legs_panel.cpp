@@ -73,13 +73,13 @@ void LegsPanel::showSnapshot(const Snapshot& snapshot) {
 
 void LegsPanel::retranslate() {
     setTitle(tr("Legs"));
-    m_heads[0]->setText(tr("commanded, mm"));
+    m_heads[0]->setText(tr("set-point, mm"));
     m_heads[1]->setText(tr("measured, mm"));
     m_heads[2]->setText(tr("error, mm"));
     m_heads[3]->setText(tr("within the stroke"));
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         const QString leg = QString::number(i + 1);
-        m_rows[i].commanded->setAccessibleName(tr("Leg %1 commanded").arg(leg));
+        m_rows[i].commanded->setAccessibleName(tr("Leg %1 set-point").arg(leg));
         m_rows[i].measured->setAccessibleName(tr("Leg %1 measured").arg(leg));
         m_rows[i].error->setAccessibleName(tr("Leg %1 error").arg(leg));
         m_rows[i].bar->setAccessibleName(tr("Leg %1 within its stroke").arg(leg));

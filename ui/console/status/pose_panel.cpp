@@ -103,9 +103,9 @@ void PosePanel::retranslate() {
     m_heads[2]->setText(tr("error"));
     m_heads[3]->setText(QString::fromUtf8("\u00b1 ") + tr("expected"));
     m_heads[3]->setToolTip(tr("The largest error that the 0.1 mm resolution of the lengths explains"));
-    setCaption(*m_qLabel, tr("Singularity q"));
-    m_q->setAccessibleName(tr("Singularity q"));
-    m_qBar->setAccessibleName(tr("Singularity bar"));
+    setCaption(*m_qLabel, tr("Singularity margin q"));
+    m_q->setAccessibleName(tr("Singularity margin q"));
+    m_qBar->setAccessibleName(tr("Singularity margin bar"));
     const QString tip = tr("Distance from a singular pose: 1 at home, 0 where the platform cannot be held. "
                            "Amber below 0.2, red below 0.05.");
     m_qBar->setToolTip(tip);

@@ -57,8 +57,8 @@ QString SettleLine::windowText() const {
     const QString deg = QString::fromStdString(formatFixed(degFromRadians(window.angle), kWindowDecimals));
     const QString time = QString::fromStdString(
         formatFixed(std::chrono::duration<double>(m_control.settleTime).count(), kTimeDecimals));
-    return m_mode == MotionMode::Workspace ? tr("inside %1 mm and %2\u00b0 for %3 s").arg(mm, deg, time)
-                                           : tr("each leg inside %1 mm for %2 s").arg(mm, time);
+    return m_mode == MotionMode::Workspace ? tr("within %1 mm and %2\u00b0 for %3 s").arg(mm, deg, time)
+                                           : tr("each leg within %1 mm for %2 s").arg(mm, time);
 }
 
 void SettleLine::refresh() {
