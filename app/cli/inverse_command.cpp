@@ -26,6 +26,7 @@ int inverseCommand(const QStringList& words) {
         0.0; // strokes alone are judged here; the way to a pose is a matter of the move
     limits.leastDeterminantRatio = -std::numeric_limits<double>::infinity();
 
+    const PlatformModel model(platform);
     bool allOk = true;
     std::string out = "l1_mm,l2_mm,l3_mm,l4_mm,l5_mm,l6_mm,status\n";
     for (const CsvTable::Row& row : everyRow(table)) {
@@ -36,10 +37,10 @@ int inverseCommand(const QStringList& words) {
                 pose.offset[k] = metresFromMm((*values)[k]);
             pose.angles = {radiansFromDeg((*values)[3]), radiansFromDeg((*values)[4]),
                            radiansFromDeg((*values)[5])};
-            const LegLengths lengths = legLengths(platform, pose);
+            const LegLengths lengths = model.actuators(pose);
             for (int i = 0; i < kLegCount; ++i)
                 out += mmText(lengths[i]) + ",";
-            status = toWords(checkPose(platform, limits, pose));
+            status = toWords(checkPose(model, limits, pose));
         } else {
             out += ",,,,,,";
         }

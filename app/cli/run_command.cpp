@@ -40,8 +40,9 @@ void checkTargets(const PlatformGeometry& platform, const PoseEnvelope& envelope
                   const std::vector<Pose>& targets, const std::string& file) {
     MotionLimits limits = motionLimits(platform, std::nullopt, std::nullopt);
     limits.envelope = envelope;
+    const PlatformModel model(platform);
     for (std::size_t i = 0; i < targets.size(); ++i) {
-        const MotionCheck check = checkPose(platform, limits, targets[i]);
+        const MotionCheck check = checkPose(model, limits, targets[i]);
         if (check.ok())
             continue;
         std::string cause = "attitude " + std::to_string(i + 1) + ": " + toWords(check);

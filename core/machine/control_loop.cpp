@@ -18,8 +18,8 @@ namespace {
 
 constexpr std::chrono::milliseconds kShutDownWithin{1500}; ///< a disabling is repeated for so long
 
-std::unique_ptr<Planner> orThread(std::unique_ptr<Planner> planner, const PlatformGeometry& geometry) {
-    return planner ? std::move(planner) : std::make_unique<PlanningThread>(geometry);
+std::unique_ptr<Planner> orThread(std::unique_ptr<Planner> planner, const SharedModel& model) {
+    return planner ? std::move(planner) : std::make_unique<PlanningThread>(model);
 }
 
 } // namespace
@@ -28,10 +28,11 @@ struct ControlLoop::Impl {
     Impl(PlatformDevice& device, const PlatformGeometry& theGeometry, const ForwardSolver& solver,
          const ControlOptions& theOptions, Sink theSink, std::function<Clock::time_point()> theNow,
          std::unique_ptr<Planner> thePlanner)
-        : geometry(theGeometry), options(withDefaults(theOptions, theGeometry)), sink(std::move(theSink)),
-          now(std::move(theNow)), sessionStart(now()), planner(orThread(std::move(thePlanner), geometry)),
-          link(device, options.staleAfter), estimate(geometry, solver), motion(geometry, options, *planner),
-          supervisor(geometry, options, link, estimate, motion) {}
+        : model(makeModel(theGeometry)), options(withDefaults(theOptions, theGeometry)),
+          sink(std::move(theSink)), now(std::move(theNow)), sessionStart(now()),
+          planner(orThread(std::move(thePlanner), model)), link(device, options.staleAfter),
+          estimate(model, solver), motion(model, options, *planner),
+          supervisor(model, options, link, estimate, motion) {}
 
     void begins(CyclePhase phase) {
         if (observer != nullptr)
@@ -47,7 +48,7 @@ struct ControlLoop::Impl {
     void exchange(DeviceRequest request);
     bool isConfirmedOff() const;
 
-    const PlatformGeometry geometry;
+    const SharedModel model;
     const ControlOptions options;
     Sink sink;
     std::function<Clock::time_point()> now;

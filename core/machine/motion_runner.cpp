@@ -38,9 +38,9 @@ bool isPlanOf(const PlannedMotion& plan, const MotionRequest& request) {
 
 } // namespace
 
-MotionRunner::MotionRunner(const PlatformGeometry& geometry, const ControlOptions& options, Planner& planner)
-    : m_geometry(geometry), m_options(options), m_planner(planner),
-      m_workspace(geometry, workspaceOptions(options)) {}
+MotionRunner::MotionRunner(SharedModel model, const ControlOptions& options, Planner& planner)
+    : m_model(std::move(model)), m_options(options), m_planner(planner),
+      m_workspace(m_model, workspaceOptions(options)) {}
 
 /// Where the legs are. A measurement a hair beyond the end of a stroke, by no more than the settle window, is
 /// that end: its noise must not stop a machine that stands there.
@@ -130,7 +130,7 @@ void MotionRunner::begin(const Cycle& cycle) {
 }
 
 void MotionRunner::beginJog(const JogCommand& command, const Cycle& cycle) {
-    auto jog = std::make_unique<JogMotion>(m_workspace, m_geometry, m_options.bounds, startOf(cycle).setPoint,
+    auto jog = std::make_unique<JogMotion>(m_workspace, m_model, m_options.bounds, startOf(cycle).setPoint,
                                            *cycle.pose);
     m_jog = jog.get();
     m_generator = std::move(jog);

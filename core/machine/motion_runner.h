@@ -33,8 +33,8 @@ public:
         bool held = false; ///< the motion is held on its path
     };
 
-    /// options: complete. geometry and planner outlive the runner.
-    MotionRunner(const PlatformGeometry& geometry, const ControlOptions& options, Planner& planner);
+    /// options: complete. planner outlives the runner.
+    MotionRunner(SharedModel model, const ControlOptions& options, Planner& planner);
 
     // ---- the plan. Needs a measured pose.
     struct Order {
@@ -103,7 +103,7 @@ private:
     LegLengths holdPoint(const Cycle& cycle) const;
     void submit(const Cycle& cycle);
 
-    const PlatformGeometry& m_geometry;
+    SharedModel m_model;
     const ControlOptions m_options;
     Planner& m_planner;
 

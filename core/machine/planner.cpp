@@ -11,23 +11,23 @@ namespace hexapose {
 
 namespace {
 
-std::shared_ptr<const PlannedMotion> planOf(const PlatformGeometry& geometry, const PlanJob& job) {
+std::shared_ptr<const PlannedMotion> planOf(const PlatformModel& model, const PlanJob& job) {
     return std::make_shared<const PlannedMotion>(
-        planMotion(geometry, job.bounds, job.limits, job.strokeSlack, job.start, job.request));
+        planMotion(model, job.bounds, job.limits, job.strokeSlack, job.start, job.request));
 }
 
 } // namespace
 
 void ImmediatePlanner::submit(const PlanJob& job) {
-    m_plan = planOf(m_geometry, job);
+    m_plan = planOf(*m_model, job);
 }
 
 std::shared_ptr<const PlannedMotion> ImmediatePlanner::take() {
     return std::exchange(m_plan, nullptr);
 }
 
-PlanningThread::PlanningThread(const PlatformGeometry& geometry)
-    : m_geometry(geometry), m_thread([this](const std::stop_token& stop) { run(stop); }) {}
+PlanningThread::PlanningThread(SharedModel model)
+    : m_model(std::move(model)), m_thread([this](const std::stop_token& stop) { run(stop); }) {}
 
 void PlanningThread::submit(const PlanJob& job) {
     {
@@ -49,7 +49,7 @@ void PlanningThread::run(const std::stop_token& stop) {
     while (m_changed.wait(lock, stop, [this] { return m_job.has_value(); })) {
         const PlanJob job = *std::exchange(m_job, std::nullopt);
         lock.unlock();
-        std::shared_ptr<const PlannedMotion> plan = planOf(m_geometry, job);
+        std::shared_ptr<const PlannedMotion> plan = planOf(*m_model, job);
         lock.lock();
         if (!m_job) // else a newer job has replaced this one
             m_plan = std::move(plan);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/geometry/platform_geometry.h"
 #include "core/motion/motion_planner.h"
 
 #include <condition_variable>
@@ -35,26 +34,26 @@ public:
 /// Plans at once, on the caller's thread: for a loop in a time of its own, which waits for nobody.
 class ImmediatePlanner final : public Planner {
 public:
-    explicit ImmediatePlanner(const PlatformGeometry& geometry) : m_geometry(geometry) {}
+    explicit ImmediatePlanner(const PlatformGeometry& geometry) : m_model(makeModel(geometry)) {}
     void submit(const PlanJob& job) override;
     std::shared_ptr<const PlannedMotion> take() override;
 
 private:
-    PlatformGeometry m_geometry;
+    SharedModel m_model;
     std::shared_ptr<const PlannedMotion> m_plan;
 };
 
 /// Plans on a thread of its own.
 class PlanningThread final : public Planner {
 public:
-    explicit PlanningThread(const PlatformGeometry& geometry);
+    explicit PlanningThread(SharedModel model);
     void submit(const PlanJob& job) override;
     std::shared_ptr<const PlannedMotion> take() override;
 
 private:
     void run(const std::stop_token& stop);
 
-    PlatformGeometry m_geometry;
+    SharedModel m_model;
     std::mutex m_mutex;
     std::condition_variable_any m_changed;
     std::optional<PlanJob> m_job;

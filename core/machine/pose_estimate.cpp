@@ -3,11 +3,12 @@
 
 #include "core/machine/pose_estimate.h"
 
+#include <utility>
+
 namespace hexapose {
 
-PoseEstimate::PoseEstimate(const PlatformGeometry& geometry, const ForwardSolver& solver)
-    : m_geometry(geometry), m_solver(solver),
-      m_homeDeterminant(singularityMeasure(geometry, Pose{}).determinant) {}
+PoseEstimate::PoseEstimate(SharedModel model, const ForwardSolver& solver)
+    : m_model(std::move(model)), m_solver(solver) {}
 
 void PoseEstimate::update(const LegLengths& measured) {
     using Clock = std::chrono::steady_clock;
@@ -19,7 +20,7 @@ void PoseEstimate::update(const LegLengths& measured) {
     if (!m_solution.isUsable())
         return;
     m_pose = m_lastPose = m_solution.pose;
-    m_singularity = singularityMeasure(m_geometry, m_solution.pose);
+    m_singularity = m_model->singularity(m_solution.pose);
 }
 
 std::optional<Pose> PoseEstimate::poseOf(const LegLengths& setPoint, const std::optional<Pose>& near) const {

@@ -3,9 +3,8 @@
 #pragma once
 
 #include "core/geometry/leg_lengths.h"
-#include "core/geometry/platform_geometry.h"
 #include "core/kinematics/forward_solver.h"
-#include "core/kinematics/singularity.h"
+#include "core/kinematics/platform_model.h"
 
 #include <chrono>
 #include <optional>
@@ -15,7 +14,7 @@ namespace hexapose {
 /// The platform's pose from the measured lengths.
 class PoseEstimate {
 public:
-    PoseEstimate(const PlatformGeometry& geometry, const ForwardSolver& solver);
+    PoseEstimate(SharedModel model, const ForwardSolver& solver);
 
     /// m, of a new measurement. The solution starts at the last usable pose, at home before the first.
     void update(const LegLengths& measured);
@@ -28,14 +27,13 @@ public:
     /// At the pose; of the last usable pose where there is none.
     const SingularityMeasure& singularity() const { return m_singularity; }
     /// q: the determinant over that at home.
-    double determinantRatio() const { return m_singularity.determinant / m_homeDeterminant; }
+    double determinantRatio() const { return m_model->ratioOf(m_singularity.determinant); }
     /// The pose of set-points, m; empty without a usable solution.
     std::optional<Pose> poseOf(const LegLengths& setPoint, const std::optional<Pose>& near) const;
 
 private:
-    const PlatformGeometry& m_geometry;
+    SharedModel m_model;
     const ForwardSolver& m_solver;
-    double m_homeDeterminant;
     std::optional<LegLengths> m_lengths;
     ForwardResult m_solution;
     std::chrono::nanoseconds m_solveTime{0};

@@ -3,8 +3,6 @@
 
 #include "core/machine/supervisor.h"
 
-#include "core/kinematics/inverse_kinematics.h"
-
 #include <utility>
 
 namespace hexapose {
@@ -16,13 +14,14 @@ constexpr double kMeasuredMargin = 0.5;
 
 } // namespace
 
-Supervisor::Supervisor(const PlatformGeometry& geometry, const ControlOptions& options, ControllerLink& link,
+Supervisor::Supervisor(SharedModel model, const ControlOptions& options, ControllerLink& link,
                        PoseEstimate& estimate, MotionRunner& motion)
-    : m_geometry(geometry), m_options(options), m_link(link), m_estimate(estimate), m_motion(motion),
+    : m_model(std::move(model)), m_options(options), m_link(link), m_estimate(estimate), m_motion(motion),
       m_following(options.followingLimit, options.echoWithin) {}
 
 MotionLimits Supervisor::limits() const {
-    MotionLimits all = motionLimits(m_geometry, m_link.feedback().minLength, m_link.feedback().maxLength);
+    MotionLimits all =
+        motionLimits(m_model->geometry(), m_link.feedback().minLength, m_link.feedback().maxLength);
     all.envelope = m_options.envelope;
     all.legSpeed = m_options.bounds.legSpeed;
     all.legAcceleration = m_options.bounds.legAcceleration;
@@ -174,7 +173,7 @@ void Supervisor::watch() {
             return stop(std::move(*cause));
         if (const std::optional<PoseReference> reference = m_motion.reference())
             if (std::optional<Event> cause =
-                    m_following.checkPath(legLengths(m_geometry, reference->pose), *fresh, m_motion.stalls()))
+                    m_following.checkPath(m_model->actuators(reference->pose), *fresh, m_motion.stalls()))
                 return stop(std::move(*cause));
     }
     if (m_motion.setPoint() && m_estimate.pose())

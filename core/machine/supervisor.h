@@ -26,8 +26,8 @@ public:
     using Clock = std::chrono::steady_clock;
 
     /// options: complete. All others outlive the supervisor.
-    Supervisor(const PlatformGeometry& geometry, const ControlOptions& options, ControllerLink& link,
-               PoseEstimate& estimate, MotionRunner& motion);
+    Supervisor(SharedModel model, const ControlOptions& options, ControllerLink& link, PoseEstimate& estimate,
+               MotionRunner& motion);
 
     // A cycle, in this order.
     void beginCycle(Clock::time_point time);
@@ -96,7 +96,7 @@ private:
     MotionLimits limits() const;
     MotionRunner::Cycle cycle() const;
 
-    const PlatformGeometry& m_geometry;
+    SharedModel m_model;
     const ControlOptions m_options;
     ControllerLink& m_link;
     PoseEstimate& m_estimate;

@@ -3,8 +3,7 @@
 
 #include "core/base/input_error.h"
 #include "core/base/units.h"
-#include "core/kinematics/inverse_kinematics.h"
-#include "core/kinematics/singularity.h"
+#include "core/kinematics/platform_model.h"
 #include "core/report/error_report.h"
 
 #include <cmath>
@@ -29,14 +28,11 @@ double symmetricUnit(std::mt19937_64& random) {
     return std::ldexp(static_cast<double>(random() >> 11U), -52) - 1.0;
 }
 
-bool isReachable(const PlatformGeometry& geometry, const Pose& pose) {
-    const LegLengths lengths = legLengths(geometry, pose);
-    for (int i = 0; i < kLegCount; ++i) {
-        const Leg& leg = geometry.legs[static_cast<std::size_t>(i)];
-        if (!(lengths[i] >= leg.minLength && lengths[i] <= leg.maxLength))
-            return false;
-    }
-    return singularityMeasure(geometry, pose).smallestSingularValue >= kSingularityMargin;
+bool isReachable(const PlatformModel& model, const Pose& pose) {
+    const LegLengths lengths = model.actuators(pose);
+    return (lengths.array() >= model.minActuators().array()).all() &&
+           (lengths.array() <= model.maxActuators().array()).all() &&
+           model.singularity(pose).smallestSingularValue >= kSingularityMargin;
 }
 
 } // namespace
@@ -46,6 +42,7 @@ std::vector<Pose> randomPoses(const PlatformGeometry& geometry, int count, doubl
     const auto isRange = [](double range) { return std::isfinite(range) && range >= 0.0; };
     if (!isRange(offsetRange) || !isRange(angleRange))
         throw InputError("attitudes", "a range is negative or not finite");
+    const PlatformModel model(geometry);
     std::mt19937_64 random(seed);
     std::vector<Pose> poses;
     for (int i = 0; i < count; ++i) {
@@ -59,7 +56,7 @@ std::vector<Pose> randomPoses(const PlatformGeometry& geometry, int count, doubl
             for (int k = 0; k < 6; ++k)
                 v[k] = symmetricUnit(random) * (k < 3 ? offsetRange : angleRange);
             pose = Pose::fromVector(v);
-        } while (!isReachable(geometry, pose));
+        } while (!isReachable(model, pose));
         poses.push_back(pose);
     }
     return poses;

@@ -3,8 +3,6 @@
 
 #include "core/tracking/jog_motion.h"
 
-#include "core/kinematics/inverse_kinematics.h"
-#include "core/kinematics/jacobian.h"
 #include "core/tracking/workspace_motion.h"
 
 #include <algorithm>
@@ -24,9 +22,10 @@ constexpr double kStands = 1e-3; ///< of full pace: less is none
 
 } // namespace
 
-JogMotion::JogMotion(WorkspaceController& controller, const PlatformGeometry& geometry,
-                     const MotionBounds& bounds, const LegLengths& from, const Pose& at)
-    : m_controller(controller), m_geometry(geometry), m_bounds(bounds), m_setPoint(from), m_reference(at) {
+JogMotion::JogMotion(WorkspaceController& controller, SharedModel model, const MotionBounds& bounds,
+                     const LegLengths& from, const Pose& at)
+    : m_controller(controller), m_model(std::move(model)), m_bounds(bounds), m_setPoint(from),
+      m_reference(at) {
     m_controller.begin(from);
 }
 
@@ -50,19 +49,19 @@ double JogMotion::wantedPace(const Cycle& cycle) {
     if (!m_held || m_blocked || m_direction != m_wanted)
         return 0.0;
     const Twist unit = unitTwist(m_direction, m_reference);
-    const double legRate = (geometricJacobian(m_geometry, m_reference) * unit).cwiseAbs().maxCoeff();
+    const double legRate = (m_model->jacobian(m_reference) * unit).cwiseAbs().maxCoeff();
     const double full = std::min(most.pace, m_bounds.legSpeed / std::max(legRate, 1e-9));
     const double pace = full * m_override * cycle.speed;
     const double faster =
         std::max(m_pace, 0.0) + std::max(m_acceleration, 0.0) * most.acceleration / most.jerk;
     const double way = kReserve * (0.5 * faster * faster / most.acceleration +
                                    faster * (most.acceleration / most.jerk + 2.0 * cycle.seconds));
-    const LegLengths here = legLengths(m_geometry, m_reference);
-    const MotionLimits bounds = limitsFrom(cycle.limits, here, kBeyondOfSize * m_geometry.size());
+    const LegLengths here = m_model->actuators(m_reference);
+    const MotionLimits bounds = limitsFrom(cycle.limits, here, kBeyondOfSize * m_model->size());
     for (int k = 1; k <= kLooksAhead; ++k) {
         const Pose ahead =
             displaced(m_reference, (way * k / kLooksAhead + kStands * full * cycle.seconds) * unit);
-        const MotionCheck check = checkPose(m_geometry, bounds, ahead);
+        const MotionCheck check = checkPose(*m_model, bounds, ahead);
         if (check.ok())
             continue;
         m_blocked = true;

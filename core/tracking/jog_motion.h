@@ -13,7 +13,7 @@ namespace hexapose {
 class JogMotion final : public MotionGenerator {
 public:
     /// from: set-point in force; at: measured pose. bounds: complete.
-    JogMotion(WorkspaceController& controller, const PlatformGeometry& geometry, const MotionBounds& bounds,
+    JogMotion(WorkspaceController& controller, SharedModel model, const MotionBounds& bounds,
               const LegLengths& from, const Pose& at);
 
     /// Held, or held on. speedOverride: 0..1 of full speed. Another direction than before: comes to rest
@@ -38,7 +38,7 @@ private:
     void changePace(double wanted, double seconds);
 
     WorkspaceController& m_controller;
-    PlatformGeometry m_geometry;
+    SharedModel m_model;
     MotionBounds m_bounds;
     LegLengths m_setPoint;
     Pose m_reference;

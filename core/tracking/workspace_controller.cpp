@@ -3,11 +3,9 @@
 
 #include "core/tracking/workspace_controller.h"
 
-#include "core/kinematics/inverse_kinematics.h"
-#include "core/kinematics/jacobian.h"
-
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hexapose {
 
@@ -23,8 +21,8 @@ constexpr double kGapToSlow = 0.5;      ///< of the gap limit: from there on the
 
 } // namespace
 
-WorkspaceController::WorkspaceController(const PlatformGeometry& geometry, const WorkspaceOptions& options)
-    : m_geometry(geometry), m_options(options) {}
+WorkspaceController::WorkspaceController(SharedModel model, const WorkspaceOptions& options)
+    : m_model(std::move(model)), m_options(options) {}
 
 void WorkspaceController::begin(const LegLengths& setPoint) {
     m_aim = m_setPoint = setPoint;
@@ -55,7 +53,7 @@ void WorkspaceController::slipToRest(const LegLengths& end, double seconds) {
 
 /// How long the platform is behind the reference along its twist, s; turning counts as the joints move by it.
 double WorkspaceController::lagOf(const Twist& error, const Twist& twist) const {
-    const double arm = m_geometry.jointRadius() * m_geometry.jointRadius();
+    const double arm = m_model->jointRadius() * m_model->jointRadius();
     const double square = twist.head<3>().squaredNorm() + arm * twist.tail<3>().squaredNorm();
     const double along = error.head<3>().dot(twist.head<3>()) + arm * error.tail<3>().dot(twist.tail<3>());
     return square > 0.0 ? along / square : 0.0;
@@ -71,7 +69,7 @@ WorkspaceController::Step WorkspaceController::step(const Measurement& measured,
     const double lag = following == Following::Path ? lagOf(step.error, reference.twist) : 0.0;
     const Twist toCorrect = step.error - lag * reference.twist;
     const double gain = std::min(m_options.gain, kGainPerPeriod / std::max(measured.seconds, 1e-6));
-    const Jacobian J = geometricJacobian(m_geometry, measured.pose);
+    const Jacobian J = m_model->jacobian(measured.pose);
     const LegLengths feed = J * reference.twist;
     const bool rests = reference.twist.isZero(0.0) && step.error.head<3>().norm() <= m_options.restDistance &&
                        step.error.tail<3>().norm() <= m_options.restAngle;
@@ -95,7 +93,7 @@ WorkspaceController::Step WorkspaceController::step(const Measurement& measured,
     const LegLengths rates = rate * feed + correction;
     m_aim += measured.seconds * rates;
     if (rests)
-        slipToRest(legLengths(m_geometry, reference.pose), measured.seconds);
+        slipToRest(m_model->actuators(reference.pose), measured.seconds);
     const LegLengths ahead = m_aim - measured.lengths;
     const double tooFar = ahead.cwiseAbs().maxCoeff() / m_options.gapLimit;
     if (tooFar > 1.0)

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/geometry/leg_lengths.h"
-#include "core/geometry/platform_geometry.h"
+#include "core/kinematics/platform_model.h"
 #include "core/motion/limits.h"
 #include "core/motion/pose_motion.h"
 #include "core/tracking/lag_estimator.h"
@@ -27,7 +27,7 @@ struct WorkspaceOptions {
 /// which is learned on the way. Clock, wire and thread know nothing of it.
 class WorkspaceController {
 public:
-    WorkspaceController(const PlatformGeometry& geometry, const WorkspaceOptions& options);
+    WorkspaceController(SharedModel model, const WorkspaceOptions& options);
 
     struct Measurement {
         LegLengths lengths; ///< m
@@ -57,7 +57,7 @@ private:
     void slipToRest(const LegLengths& end, double seconds);
     double allowedRate(const LegLengths& feed, const LegLengths& correction) const;
 
-    PlatformGeometry m_geometry;
+    SharedModel m_model;
     WorkspaceOptions m_options;
     LegLagEstimator m_lagEstimator;
     LegLengths m_aim = LegLengths::Zero();      ///< where the legs should be: the integral of their rates

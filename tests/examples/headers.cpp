@@ -23,6 +23,7 @@
 #include <hexapose/core/kinematics/inverse_kinematics.h>
 #include <hexapose/core/kinematics/jacobian.h>
 #include <hexapose/core/kinematics/newton/newton_raphson.h>
+#include <hexapose/core/kinematics/platform_model.h>
 #include <hexapose/core/kinematics/pose_accuracy.h>
 #include <hexapose/core/kinematics/regression/model_cache.h>
 #include <hexapose/core/kinematics/regression/mpr_newton.h>

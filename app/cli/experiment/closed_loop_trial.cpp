@@ -189,6 +189,7 @@ std::vector<Pose> drawTargets(const TrialSettings& settings) {
     const PlatformGeometry& platform = settings.platform;
     MotionLimits limits = motionLimits(platform, std::nullopt, std::nullopt);
     const MotionBounds bounds = withDefaults(settings.control.bounds, platform);
+    const PlatformModel model(platform);
     // Ways from one pose to the next, smaller ones where a machine has no room for large ones.
     for (int halving = 0; halving < kHalvings; ++halving) {
         const double part = std::pow(0.5, halving);
@@ -202,8 +203,8 @@ std::vector<Pose> drawTargets(const TrialSettings& settings) {
             for (int k = 0; k < 6; ++k)
                 x[k] = part * unit(random) * (k < 3 ? kRange * platform.size() : kAngleRange);
             const Pose to = Pose::fromVector(x);
-            if (!checkPose(platform, limits, to).ok() || !checkLegPath(platform, limits, from, to).ok() ||
-                !checkMotion(platform, limits, StraightMotion(platform, from, to, bounds)).ok())
+            if (!checkPose(model, limits, to).ok() || !checkLegPath(model, limits, from, to).ok() ||
+                !checkMotion(model, limits, StraightMotion(model, from, to, bounds)).ok())
                 continue;
             targets.push_back(to);
             from = to;

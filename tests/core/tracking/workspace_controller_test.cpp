@@ -33,7 +33,7 @@ protected:
     const PlatformGeometry m_machine = laboratory();
     const MotionLimits m_limits = motionLimits(m_machine, {}, {});
     const WorkspaceOptions m_options{8.0, 0.04, 0.005, 0.25, 5e-5, 5e-4};
-    WorkspaceController m_controller{m_machine, m_options};
+    WorkspaceController m_controller{makeModel(m_machine), m_options};
 };
 
 TEST_F(WorkspaceControllerTest, AHeldPathComesBackToFullSpeedLittleByLittle) {

@@ -2,26 +2,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/console/motion/move_judge.h"
 
-#include "core/kinematics/inverse_kinematics.h"
-#include "core/motion/leg_path_check.h"
-#include "core/motion/pose_motion_check.h"
-#include "core/motion/straight_motion.h"
+#include "core/motion/motion_planner.h"
 
 namespace hexapose {
 
 MoveJudge::MoveJudge(const PlatformGeometry& geometry)
-    : m_geometry(geometry), m_control(withDefaults(ControlOptions{}, geometry)),
+    : m_model(makeModel(geometry)), m_control(withDefaults(ControlOptions{}, geometry)),
       m_limits(motionLimits(geometry, {}, {})) {
     applyControl();
 }
 
 void MoveJudge::setControl(const ControlOptions& options) {
-    m_control = withDefaults(options, m_geometry);
+    m_control = withDefaults(options, geometry());
     applyControl();
 }
 
 void MoveJudge::follow(const Snapshot& snapshot) {
-    m_limits = motionLimits(m_geometry, snapshot.minLength, snapshot.maxLength);
+    m_limits = motionLimits(geometry(), snapshot.minLength, snapshot.maxLength);
     applyControl();
 }
 
@@ -32,25 +29,17 @@ void MoveJudge::applyControl() {
 }
 
 MotionLimits MoveJudge::limitsAt(const Pose& pose) const {
-    return limitsFrom(m_limits, legLengths(m_geometry, pose), m_control.settleWindow.distance);
+    return limitsFrom(m_limits, m_model->actuators(pose), m_control.settleWindow.distance);
 }
 
 MotionCheck MoveJudge::pose(const Pose& pose) const {
-    return checkPose(m_geometry, m_limits, pose);
+    return checkPose(*m_model, m_limits, pose);
 }
 
 MotionCheck MoveJudge::move(const Pose& from, const Pose& to, MotionMode mode) const {
-    if (mode == MotionMode::Joint) {
-        return checkLegPath(m_geometry, m_limits, from, to);
-    }
-    // A target that cannot be is not worth a plan.
-    MotionCheck check = checkPose(m_geometry, m_limits, to);
-    if (check.ok() && !from.isFinite()) {
-        check.reason = MotionCheck::Reason::NotFinite;
-    }
-    return check.ok() ? checkMotion(m_geometry, limitsAt(from),
-                                    StraightMotion(m_geometry, from, to, m_control.bounds))
-                      : check;
+    return planMotion(*m_model, m_control.bounds, m_limits, m_control.settleWindow.distance,
+                      {m_model->actuators(from), from}, StraightMove{to, mode})
+        .check;
 }
 
 } // namespace hexapose

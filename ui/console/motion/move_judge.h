@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/geometry/platform_geometry.h"
+#include "core/kinematics/platform_model.h"
 #include "core/machine/control_loop.h"
 #include "core/motion/limits.h"
 #include "core/record/snapshot.h"
@@ -18,7 +18,7 @@ public:
     /// The controller's own limits narrow those of the platform.
     void follow(const Snapshot& snapshot);
 
-    const PlatformGeometry& geometry() const { return m_geometry; }
+    const PlatformGeometry& geometry() const { return m_model->geometry(); }
     const MotionLimits& limits() const { return m_limits; }
     /// Of a motion that begins at this pose.
     MotionLimits limitsAt(const Pose& pose) const;
@@ -29,7 +29,7 @@ public:
 private:
     void applyControl();
 
-    PlatformGeometry m_geometry;
+    SharedModel m_model;
     ControlOptions m_control; ///< complete
     MotionLimits m_limits;
 };
