@@ -12,7 +12,7 @@
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/units.h"
-#include "core/motion/limits.h"
+#include "core/machine/control_options.h"
 #include "core/record/log_metadata.h"
 #include "core/record/motion_check_words.h"
 #include "core/record/pose_list.h"
@@ -36,13 +36,10 @@ namespace hexapose {
 namespace {
 
 /// Before anything moves: an attitude that cannot be reached makes the whole list unusable.
-void checkTargets(const PlatformGeometry& platform, const PoseEnvelope& envelope,
-                  const std::vector<Pose>& targets, const std::string& file) {
-    MotionLimits limits = motionLimits(platform, std::nullopt, std::nullopt);
-    limits.envelope = envelope;
-    const PlatformModel model(platform);
+void requireReachable(const MotionPlanner& planner, const std::vector<Pose>& targets,
+                      const std::string& file) {
     for (std::size_t i = 0; i < targets.size(); ++i) {
-        const MotionCheck check = checkPose(model, limits, targets[i]);
+        const MotionCheck check = planner.check(targets[i]);
         if (check.ok())
             continue;
         std::string cause = "attitude " + std::to_string(i + 1) + ": " + toWords(check);
@@ -175,8 +172,10 @@ int runCommand(const QStringList& words) {
     const PlatformGeometry platform = arguments.platform();
     requireMovable(platform, arguments.text("platform", "laboratory"));
     const std::vector<Pose> targets = sweep ? std::vector<Pose>{Pose{}} : readPoseList(targetsFile);
-    const PoseEnvelope envelope = arguments.envelope();
-    checkTargets(platform, envelope, targets, targetsFile);
+    ControlOptions control;
+    control.envelope = arguments.envelope();
+    requireReachable(MotionPlanner(makeModel(platform), plannerSettings(control, platform)), targets,
+                     targetsFile);
     const ChosenSolver chosen = chooseSolver(arguments, platform);
     if (arguments.has("report"))
         checkReport(arguments.requiredText("report"), logFile);
@@ -192,7 +191,7 @@ int runCommand(const QStringList& words) {
     setup.solver = chosen.solver;
     setup.modelFingerprint = chosen.modelFingerprint;
     setup.programVersion = HEXAPOSE_VERSION;
-    setup.control.envelope = envelope;
+    setup.control = control;
     catchInterrupts(); // before the loop's thread can enable anything
     Session session(setup, [&platform](const ConnectionSpec& where) { return makeDevice(where, platform); });
     session.open(connection, logFile);

@@ -37,4 +37,9 @@ ControlOptions withDefaults(ControlOptions options, const PlatformGeometry& geom
     return options;
 }
 
+MotionPlanner::Settings plannerSettings(const ControlOptions& options, const PlatformGeometry& geometry) {
+    const ControlOptions complete = withDefaults(options, geometry);
+    return {complete.bounds, complete.envelope, complete.settleWindow.distance};
+}
+
 } // namespace hexapose

@@ -4,6 +4,7 @@
 
 #include "core/geometry/platform_geometry.h"
 #include "core/motion/limits.h"
+#include "core/motion/motion_planner.h"
 #include "core/motion/pose_motion.h"
 #include "core/tracking/settle_window.h"
 
@@ -32,5 +33,8 @@ struct ControlOptions {
 
 /// The options with what is not given derived from the machine: bounds, settle window, following limit.
 ControlOptions withDefaults(ControlOptions options, const PlatformGeometry& geometry);
+
+/// What the loop plans with under these options, completed by withDefaults().
+MotionPlanner::Settings plannerSettings(const ControlOptions& options, const PlatformGeometry& geometry);
 
 } // namespace hexapose

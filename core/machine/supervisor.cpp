@@ -16,17 +16,9 @@ constexpr double kMeasuredMargin = 0.5;
 
 Supervisor::Supervisor(SharedModel model, const ControlOptions& options, ControllerLink& link,
                        PoseEstimate& estimate, MotionRunner& motion)
-    : m_model(std::move(model)), m_options(options), m_link(link), m_estimate(estimate), m_motion(motion),
-      m_following(options.followingLimit, options.echoWithin) {}
-
-MotionLimits Supervisor::limits() const {
-    MotionLimits all =
-        motionLimits(m_model->geometry(), m_link.feedback().minLength, m_link.feedback().maxLength);
-    all.envelope = m_options.envelope;
-    all.legSpeed = m_options.bounds.legSpeed;
-    all.legAcceleration = m_options.bounds.legAcceleration;
-    return all;
-}
+    : m_model(std::move(model)), m_options(options),
+      m_planner(m_model, plannerSettings(options, m_model->geometry())), m_link(link), m_estimate(estimate),
+      m_motion(motion), m_following(options.followingLimit, options.echoWithin) {}
 
 MotionRunner::Cycle Supervisor::cycle() const {
     return {m_time,
@@ -127,6 +119,7 @@ void Supervisor::stopSilently() {
 
 void Supervisor::beginCycle(Clock::time_point time) {
     m_time = time;
+    m_planner.setControllerLimits(m_link.feedback().minLength, m_link.feedback().maxLength);
     m_motion.tick(time);
 }
 

@@ -93,11 +93,12 @@ private:
 
     std::optional<MotionInhibit> motionInhibit() const;
     std::optional<Event> nearLimit() const;
-    MotionLimits limits() const;
+    const MotionLimits& limits() const { return m_planner.limits(); }
     MotionRunner::Cycle cycle() const;
 
     SharedModel m_model;
     const ControlOptions m_options;
+    MotionPlanner m_planner; ///< for the limits in force
     ControllerLink& m_link;
     PoseEstimate& m_estimate;
     MotionRunner& m_motion;

@@ -11,6 +11,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace hexapose {
 
@@ -117,6 +118,44 @@ MotionCheck checkStart(const PlannedMotion& planned, const PlanStart& now, const
     if (const double turn = moved.tail<3>().norm(); !(turn <= angle))
         return failed(MotionCheck::Reason::StartMoved, turn, angle);
     return {};
+}
+
+MotionPlanner::MotionPlanner(SharedModel model, const Settings& settings)
+    : m_model(std::move(model)), m_settings(settings), m_limits(motionLimits(m_model->geometry(), {}, {})) {
+    applySettings();
+}
+
+void MotionPlanner::setSettings(const Settings& settings) {
+    m_settings = settings;
+    applySettings();
+}
+
+void MotionPlanner::setControllerLimits(std::optional<double> minLength, std::optional<double> maxLength) {
+    m_limits = motionLimits(m_model->geometry(), minLength, maxLength);
+    applySettings();
+}
+
+void MotionPlanner::applySettings() {
+    m_limits.envelope = m_settings.envelope;
+    m_limits.legSpeed = m_settings.bounds.legSpeed;
+    m_limits.legAcceleration = m_settings.bounds.legAcceleration;
+}
+
+MotionLimits MotionPlanner::limitsAt(const Pose& pose) const {
+    return limitsFrom(m_limits, m_model->actuators(pose), m_settings.strokeSlack);
+}
+
+MotionCheck MotionPlanner::check(const Pose& pose) const {
+    return checkPose(*m_model, m_limits, pose);
+}
+
+PlannedMotion MotionPlanner::plan(const PlanStart& start, const MotionRequest& request,
+                                  const PlanBudget& budget) const {
+    return planMotion(*m_model, m_settings.bounds, m_limits, m_settings.strokeSlack, start, request, budget);
+}
+
+MotionCheck MotionPlanner::check(const Pose& from, const Pose& to, MotionMode mode) const {
+    return plan({m_model->actuators(from), from}, StraightMove{to, mode}).check;
 }
 
 } // namespace hexapose

@@ -11,6 +11,7 @@
 #include "core/motion/sine_sweep.h"
 
 #include <memory>
+#include <optional>
 #include <variant>
 
 namespace hexapose {
@@ -58,5 +59,40 @@ PlannedMotion planMotion(const PlatformModel& model, const MotionBounds& bounds,
 /// longer for a long motion.
 MotionCheck checkStart(const PlannedMotion& planned, const PlanStart& now, const MotionLimits& limitsNow,
                        double distance, double angle);
+
+/// Plans and checks the motions of one machine under the limits in force: those of the platform and of the
+/// operator, narrowed by the controller's. Who asks beforehand (a screen, a command line) is answered as the
+/// loop will answer.
+class MotionPlanner {
+public:
+    struct Settings {
+        MotionBounds bounds; ///< complete, see withDefaults()
+        PoseEnvelope envelope;
+        double strokeSlack = 0.0; ///< m, see planMotion()
+    };
+    MotionPlanner(SharedModel model, const Settings& settings);
+
+    void setSettings(const Settings& settings);
+    /// Of every leg, m; nothing where the controller has none.
+    void setControllerLimits(std::optional<double> minLength, std::optional<double> maxLength);
+
+    const PlatformModel& model() const { return *m_model; }
+    const Settings& settings() const { return m_settings; }
+    const MotionLimits& limits() const { return m_limits; }
+    /// Of a motion that begins at this pose.
+    MotionLimits limitsAt(const Pose& pose) const;
+    MotionCheck check(const Pose& pose) const;
+    PlannedMotion plan(const PlanStart& start, const MotionRequest& request,
+                       const PlanBudget& budget = {}) const;
+    /// From rest at `from`, whose set-point is that of the pose.
+    MotionCheck check(const Pose& from, const Pose& to, MotionMode mode) const;
+
+private:
+    void applySettings();
+
+    SharedModel m_model;
+    Settings m_settings;
+    MotionLimits m_limits;
+};
 
 } // namespace hexapose

@@ -84,10 +84,6 @@ bool anyMoves(const States& states) {
                        [](const MachineState& s) { return s.run == S::Moving; });
 }
 
-bool isCommandEvent(E event) {
-    return std::any_of(kCommands.begin(), kCommands.end(), [&](Command c) { return eventOf(c) == event; });
-}
-
 bool sendsStop(A action) {
     return action == A::EndMotionAndStop || action == A::EndMotionAndStopAndDisable;
 }

@@ -31,17 +31,16 @@ protected:
         const Pose from = truePose();
         const Eigen::Vector3d line = target.offset - from.offset;
         Way way;
-        std::optional<LegLengths> last;
         for (int k = 0; k < 3000 && m_last.state != RunState::Enabled; ++k) {
             m_machine->push(2, k > 40 && k < 100 ? push : 0.0);
+            const std::optional<LegLengths> before = m_last.commandedLengths;
             m_loop->cycle();
             const Eigen::Vector3d gone = truePose().offset - from.offset;
             const double part = std::clamp(gone.dot(line) / line.squaredNorm(), 0.0, 1.0);
             way.largestDeviation = std::max(way.largestDeviation, (gone - part * line).norm());
-            if (last && m_last.commandedLengths)
+            if (before && m_last.commandedLengths)
                 way.largestSetStep =
-                    std::max(way.largestSetStep, (*m_last.commandedLengths - *last).cwiseAbs().maxCoeff());
-            last = m_last.commandedLengths;
+                    std::max(way.largestSetStep, (*m_last.commandedLengths - *before).cwiseAbs().maxCoeff());
         }
         EXPECT_EQ(m_last.state, RunState::Enabled) << "settles";
         return way;

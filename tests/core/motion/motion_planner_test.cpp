@@ -17,7 +17,7 @@
 #include <limits>
 #include <random>
 
-namespace hexapose {
+namespace hexapose::planningtest {
 namespace {
 
 using testing::poseMm;
@@ -294,4 +294,4 @@ TEST(MotionPlannerCost, DependsNotOnTheSizeOfTheMachine) {
 }
 
 } // namespace
-} // namespace hexapose
+} // namespace hexapose::planningtest

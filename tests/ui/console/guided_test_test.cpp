@@ -123,10 +123,10 @@ TEST(GuidedAttitude, IsSmallerWhereTheMachineReachesLess) {
         leg.minLength = 0.290;
         leg.maxLength = 0.312;
     }
-    const MoveJudge judge(small);
-    const auto attitude = guidedAttitude(judge, Pose{}, MotionMode::Workspace);
+    const MotionPlanner planner(makeModel(small), plannerSettings({}, small));
+    const auto attitude = guidedAttitude(planner, Pose{}, MotionMode::Workspace);
     ASSERT_TRUE(attitude);
-    EXPECT_TRUE(judge.move(Pose{}, *attitude, MotionMode::Workspace).ok());
+    EXPECT_TRUE(planner.check(Pose{}, *attitude, MotionMode::Workspace).ok());
     EXPECT_LT(attitude->offset[2], 0.040);
     EXPECT_GT(attitude->offset[2], 0.001);
 }

@@ -247,18 +247,18 @@ TEST(AxisRange, EndsWhereALegMeetsItsStroke) {
 
 TEST(AxisRange, OfAJogEndsWhereTheJogWould) {
     constexpr double kMetres = 2e-4; // of the bisection
-    const MoveJudge judge(laboratoryPlatform());
+    const MotionPlanner planner(makeModel(laboratoryPlatform()), plannerSettings({}, laboratoryPlatform()));
     const Pose here = poseOf(3, -2, 5, 4, -3, 10);
     for (const JogFrame frame : {JogFrame::Base, JogFrame::Platform}) {
         for (int axis = 0; axis < 6; ++axis) {
             const JogDirection direction{axis, axis % 2 == 0, frame};
-            const auto way = jogRange(judge, here, direction);
+            const auto way = jogRange(planner, here, direction);
             ASSERT_TRUE(way);
-            EXPECT_TRUE(judge.pose(stepped(here, direction, *way)).ok()) << axis;
-            EXPECT_FALSE(judge.pose(stepped(here, direction, *way + kMetres)).ok()) << axis;
+            EXPECT_TRUE(planner.check(stepped(here, direction, *way)).ok()) << axis;
+            EXPECT_FALSE(planner.check(stepped(here, direction, *way + kMetres)).ok()) << axis;
         }
     }
-    EXPECT_FALSE(jogRange(judge, poseOf(0, 0, 300, 0, 0, 0), {}));
+    EXPECT_FALSE(jogRange(planner, poseOf(0, 0, 300, 0, 0, 0), {}));
 }
 
 TEST(MotionCheckText, NamesLegLimitAndExcess) {

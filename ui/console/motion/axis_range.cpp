@@ -66,17 +66,18 @@ axisRange(const PlatformGeometry& geometry, const MotionLimits& limits, const Po
     return std::pair(end(-reach), end(reach));
 }
 
-std::optional<double> jogRange(const MoveJudge& judge, const Pose& pose, const JogDirection& direction) {
-    if (!judge.pose(pose).ok()) {
+std::optional<double> jogRange(const MotionPlanner& planner, const Pose& pose,
+                               const JogDirection& direction) {
+    if (!planner.check(pose).ok()) {
         return std::nullopt;
     }
-    const MotionLimits& limits = judge.limits();
+    const MotionLimits& limits = planner.limits();
     const double strokes = allowedWay(reachOf(limits, direction.axis), kStepsOut, [&](double way) {
         const Pose at = stepped(pose, direction, way);
-        return inStrokes(judge.geometry(), limits, at) && !outsideEnvelope(limits.envelope, at);
+        return inStrokes(planner.model().geometry(), limits, at) && !outsideEnvelope(limits.envelope, at);
     });
     return allowedWay(strokes, kMarginSteps,
-                      [&](double way) { return judge.pose(stepped(pose, direction, way)).ok(); });
+                      [&](double way) { return planner.check(stepped(pose, direction, way)).ok(); });
 }
 
 } // namespace hexapose

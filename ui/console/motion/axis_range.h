@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/machine/control_options.h"
 #include "core/motion/jog.h"
 #include "core/motion/limits.h"
-#include "ui/console/motion/move_judge.h"
 
 #include <optional>
 #include <utility>
@@ -18,6 +18,6 @@ axisRange(const PlatformGeometry& geometry, const MotionLimits& limits, const Po
 
 /// How far (m or rad, not below 0) a jog can go one way from a pose; nothing when the pose itself is out of
 /// the limits.
-std::optional<double> jogRange(const MoveJudge& judge, const Pose& pose, const JogDirection& direction);
+std::optional<double> jogRange(const MotionPlanner& planner, const Pose& pose, const JogDirection& direction);
 
 } // namespace hexapose

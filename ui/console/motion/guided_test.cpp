@@ -20,12 +20,13 @@ Pose publishedAttitude() {
 
 } // namespace
 
-std::optional<Pose> guidedAttitude(const MoveJudge& judge, const std::optional<Pose>& from, MotionMode mode) {
+std::optional<Pose> guidedAttitude(const MotionPlanner& planner, const std::optional<Pose>& from,
+                                   MotionMode mode) {
     const PoseVector published = publishedAttitude().toVector();
     double part = 1.0;
     for (int i = 0; i < kMostHalvings; ++i, part *= 0.5) {
         const Pose pose = Pose::fromVector(part * published);
-        if ((from ? judge.move(*from, pose, mode) : judge.pose(pose)).ok()) {
+        if ((from ? planner.check(*from, pose, mode) : planner.check(pose)).ok()) {
             return pose;
         }
     }

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/machine/control_options.h"
 #include "core/report/error_report.h"
 #include "core/session/pose_sequence.h"
-#include "ui/console/motion/move_judge.h"
 
 #include <memory>
 #include <optional>
@@ -13,7 +13,8 @@ namespace hexapose {
 
 /// The attitude of the published test, or one like it that a machine can reach: half of it, a quarter ...
 /// Nothing where even home cannot be reached.
-std::optional<Pose> guidedAttitude(const MoveJudge& judge, const std::optional<Pose>& from, MotionMode mode);
+std::optional<Pose> guidedAttitude(const MotionPlanner& planner, const std::optional<Pose>& from,
+                                   MotionMode mode);
 
 /// The published physical test: one attitude, settled, its lengths averaged for a second, solved and
 /// compared. Fed with snapshots; pure.

@@ -16,7 +16,8 @@
 namespace hexapose {
 
 GuidedTestPanel::GuidedTestPanel(const PlatformGeometry& geometry, QWidget* parent)
-    : QWidget(parent), m_judge(geometry), m_start(new QPushButton(this)) {
+    : QWidget(parent), m_planner(makeModel(geometry), plannerSettings({}, geometry)),
+      m_start(new QPushButton(this)) {
     m_start->setProperty("kind", "primary");
     m_start->setObjectName(QStringLiteral("guidedTest"));
     m_message = new TextReadOut(2, this);
@@ -48,7 +49,7 @@ void GuidedTestPanel::setConnected(bool connected) {
 }
 
 void GuidedTestPanel::showSnapshot(const Snapshot& snapshot) {
-    m_judge.follow(snapshot);
+    m_planner.setControllerLimits(snapshot.minLength, snapshot.maxLength);
     m_measured = snapshot.stale ? std::nullopt : snapshot.measuredPose;
     m_ready = runHindrance(snapshot).isEmpty() && m_measured.has_value();
     updateButton();
@@ -62,12 +63,12 @@ void GuidedTestPanel::start() {
     if (isRunning() || !m_solver || !m_ready) {
         return;
     }
-    const auto target = guidedAttitude(m_judge, m_measured, m_mode);
+    const auto target = guidedAttitude(m_planner, m_measured, m_mode);
     if (!target) {
         tell([] { return tr("No pose of this test can be reached from here. Nothing moved."); });
         return;
     }
-    m_test.emplace(m_judge.geometry(), m_solver, *target, m_ids.take());
+    m_test.emplace(m_planner.model().geometry(), m_solver, *target, m_ids.take());
     m_ended = false;
     tell([] { return tr("The test is under way; Stop ends it"); });
     showSteps();

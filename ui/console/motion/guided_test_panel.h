@@ -28,7 +28,9 @@ class GuidedTestPanel final : public QWidget {
 public:
     explicit GuidedTestPanel(const PlatformGeometry& geometry, QWidget* parent = nullptr);
 
-    void setControl(const ControlOptions& options) { m_judge.setControl(options); }
+    void setControl(const ControlOptions& options) {
+        m_planner.setSettings(plannerSettings(options, m_planner.model().geometry()));
+    }
     void setSolver(std::shared_ptr<const ForwardSolver> solver);
     void setConnected(bool connected);
     void setMode(MotionMode mode) { m_mode = mode; }
@@ -69,7 +71,7 @@ private:
     void updateButton();
     void retranslate();
 
-    MoveJudge m_judge;
+    MotionPlanner m_planner;
     MotionIds m_ids{MotionAsker::GuidedTest};
     std::shared_ptr<const ForwardSolver> m_solver;
     MotionMode m_mode = MotionMode::Joint;

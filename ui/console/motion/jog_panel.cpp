@@ -35,7 +35,8 @@ bool drivesOn(RunState state) {
 
 JogPanel::JogPanel(const PlatformGeometry& geometry, QWidget* parent,
                    std::function<JogHold::Clock::time_point()> now)
-    : QWidget(parent), m_judge(geometry), m_hold([this] { return mayGoOn(); }, std::move(now)) {
+    : QWidget(parent), m_planner(makeModel(geometry), plannerSettings({}, geometry)),
+      m_hold([this] { return mayGoOn(); }, std::move(now)) {
     build();
     connect(&m_hold, &JogHold::held, this, [this](const JogDirection& direction) {
         // While the jog before comes to rest this one waits, as long as its button is held.
@@ -84,7 +85,7 @@ void JogPanel::add(const Snapshot& snapshot) {
 
 void JogPanel::showSnapshot(const Snapshot& snapshot) {
     m_latest = snapshot;
-    m_judge.follow(snapshot);
+    m_planner.setControllerLimits(snapshot.minLength, snapshot.maxLength);
     if (hindrance() != m_hindrance) {
         updateButtons();
     }

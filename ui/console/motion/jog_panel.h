@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/machine/control_options.h"
 #include "core/motion/jog.h"
 #include "core/record/snapshot.h"
 #include "ui/common/motion_ids.h"
 #include "ui/console/motion/down_keys.h"
 #include "ui/console/motion/jog_hold.h"
-#include "ui/console/motion/move_judge.h"
 
 #include <QElapsedTimer>
 #include <QWidget>
@@ -34,7 +34,9 @@ public:
     explicit JogPanel(const PlatformGeometry& geometry, QWidget* parent = nullptr,
                       std::function<JogHold::Clock::time_point()> now = JogHold::Clock::now);
 
-    void setControl(const ControlOptions& options) { m_judge.setControl(options); }
+    void setControl(const ControlOptions& options) {
+        m_planner.setSettings(plannerSettings(options, m_planner.model().geometry()));
+    }
     void setConnected(bool connected);
     /// Every snapshot: its events end a jog that the loop does not carry out.
     void add(const Snapshot& snapshot);
@@ -81,7 +83,7 @@ private:
     void updateButtons();
     void retranslate();
 
-    MoveJudge m_judge;
+    MotionPlanner m_planner;
     JogHold m_hold;
     Snapshot m_latest;
     QString m_hindrance; ///< that the buttons show

@@ -114,7 +114,7 @@ void JogPanel::showRanges() {
     for (int axis = 0; axis < 6; ++axis) {
         for (const bool up : {false, true}) {
             const auto way =
-                live ? jogRange(m_judge, *m_latest.measuredPose, directionOf(axis, up)) : std::nullopt;
+                live ? jogRange(m_planner, *m_latest.measuredPose, directionOf(axis, up)) : std::nullopt;
             m_ranges[slot(axis, up)]->setText(
                 way ? QString::fromStdString(formatFixed(toDisplay(axis, *way), 1)) : ReadOut::dash());
         }

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/machine/command.h"
+#include "core/machine/control_options.h"
 #include "ui/common/card.h"
-#include "ui/console/motion/move_judge.h"
 
 #include <memory>
 

@@ -38,7 +38,7 @@ QString rangeText(const std::pair<double, double>& range, int coordinate) {
 } // namespace
 
 TargetPanel::TargetPanel(const PlatformGeometry& geometry, QWidget* parent)
-    : QWidget(parent), m_judge(geometry) {
+    : QWidget(parent), m_planner(makeModel(geometry), plannerSettings({}, geometry)) {
     build();
     setTarget(Pose{});
     setConnected(false);
@@ -130,7 +130,7 @@ void TargetPanel::buildButtons(QVBoxLayout& column) {
 }
 
 void TargetPanel::setControl(const ControlOptions& options) {
-    m_judge.setControl(options);
+    m_planner.setSettings(plannerSettings(options, m_planner.model().geometry()));
     judge();
 }
 
@@ -187,7 +187,7 @@ void TargetPanel::showSnapshot(const Snapshot& snapshot) {
     }
     const bool had = m_measured.has_value();
     m_measured = live ? snapshot.measuredPose : std::nullopt;
-    m_judge.follow(snapshot);
+    m_planner.setControllerLimits(snapshot.minLength, snapshot.maxLength);
     m_copy->setEnabled(m_measured.has_value());
     // A judgement takes some milliseconds, for which every key waits: none where nothing has changed.
     const bool moving = snapshot.state == RunState::Moving;
@@ -201,10 +201,10 @@ void TargetPanel::showSnapshot(const Snapshot& snapshot) {
 
 /// Since the last judgement, by more than the measurement's rounding.
 bool TargetPanel::hasMoved() const {
-    if (!m_measured || !m_judgedFrom) {
-        return m_measured.has_value() != m_judgedFrom.has_value();
+    if (!m_measured || !m_plannerdFrom) {
+        return m_measured.has_value() != m_plannerdFrom.has_value();
     }
-    const Twist gone = displacement(*m_judgedFrom, *m_measured);
+    const Twist gone = displacement(*m_plannerdFrom, *m_measured);
     return gone.head<3>().norm() > kSamePlace || gone.tail<3>().norm() > kSameAttitude;
 }
 
@@ -245,14 +245,14 @@ void TargetPanel::judge() {
         return;
     }
     m_sinceJudged.start();
-    m_judgedFrom = m_measured;
+    m_plannerdFrom = m_measured;
     const auto pose = target();
     if (!pose) {
         m_verdict.reset();
     } else if (m_measured) {
-        m_verdict = m_judge.move(*m_measured, *pose, m_mode);
+        m_verdict = m_planner.check(*m_measured, *pose, m_mode);
     } else {
-        m_verdict = m_judge.pose(*pose);
+        m_verdict = m_planner.check(*pose);
     }
     if (m_named != nullptr) {
         m_named->setTargetWhole(pose.has_value());
@@ -272,9 +272,9 @@ void TargetPanel::showRanges() {
             label.setText(field.refusal());
             continue;
         }
-        const auto range = m_measured
-                               ? axisRange(m_judge.geometry(), m_judge.limitsAt(*m_measured), *m_measured, i)
-                               : std::nullopt;
+        const auto range = m_measured ? axisRange(m_planner.model().geometry(),
+                                                  m_planner.limitsAt(*m_measured), *m_measured, i)
+                                      : std::nullopt;
         label.setText(range ? rangeText(*range, i) : ReadOut::dash());
     }
 }

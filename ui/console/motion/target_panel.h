@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/machine/control_options.h"
 #include "core/record/snapshot.h"
 #include "ui/common/motion_ids.h"
-#include "ui/console/motion/move_judge.h"
 
 #include <QElapsedTimer>
 #include <QWidget>
@@ -67,13 +67,13 @@ private:
     QString runReason() const;
     void retranslate();
 
-    MoveJudge m_judge;
+    MotionPlanner m_planner;
     MotionIds m_ids{MotionAsker::Target};
     MotionMode m_mode = MotionMode::Joint;
     QString m_hindrance; ///< why Run cannot be pressed, though something is connected
     bool m_connected = false;
-    std::optional<Pose> m_measured;   ///< present and usable
-    std::optional<Pose> m_judgedFrom; ///< where it was then
+    std::optional<Pose> m_measured;     ///< present and usable
+    std::optional<Pose> m_plannerdFrom; ///< where it was then
     std::optional<MotionCheck> m_verdict;
     QElapsedTimer m_sinceJudged;
     std::array<NumberField*, 6> m_fields{};

@@ -27,7 +27,7 @@ constexpr std::chrono::nanoseconds kNoDwell{0}; // it has settled; there is noth
 }
 
 WayPointsPanel::WayPointsPanel(const PlatformGeometry& geometry, QWidget* parent)
-    : QWidget(parent), m_judge(geometry) {
+    : QWidget(parent), m_planner(makeModel(geometry), plannerSettings({}, geometry)) {
     build();
     m_text = [] { return tr("Add poses, or load them; nothing moves until Play or Step"); };
     retranslate();
@@ -44,7 +44,7 @@ void WayPointsPanel::setConnected(bool connected) {
 }
 
 void WayPointsPanel::showSnapshot(const Snapshot& snapshot) {
-    m_judge.follow(snapshot);
+    m_planner.setControllerLimits(snapshot.minLength, snapshot.maxLength);
     m_measured = snapshot.stale ? std::nullopt : snapshot.measuredPose;
     m_ready = runHindrance(snapshot).isEmpty() && m_measured.has_value();
     followHold(snapshot);
@@ -84,7 +84,7 @@ bool WayPointsPanel::judgeRows(int first, int count, std::vector<Pose>& poses) {
         if (!pose) {
             return false; // the message has it already
         }
-        const MotionCheck check = from ? m_judge.move(*from, *pose, m_mode) : m_judge.pose(*pose);
+        const MotionCheck check = from ? m_planner.check(*from, *pose, m_mode) : m_planner.check(*pose);
         if (!check.ok()) {
             tell([=] { return tr("Row %1: %2. Nothing moved.").arg(number, motionCheckText(check)); });
             m_table->setCurrentCell(row, 0);

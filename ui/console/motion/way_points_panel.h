@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/machine/control_options.h"
 #include "core/record/snapshot.h"
 #include "core/session/pose_sequence.h"
 #include "ui/common/motion_ids.h"
-#include "ui/console/motion/move_judge.h"
 #include "ui/console/motion/way_point_table.h"
 
 #include <QWidget>
@@ -28,7 +28,9 @@ class WayPointsPanel final : public QWidget {
 public:
     explicit WayPointsPanel(const PlatformGeometry& geometry, QWidget* parent = nullptr);
 
-    void setControl(const ControlOptions& options) { m_judge.setControl(options); }
+    void setControl(const ControlOptions& options) {
+        m_planner.setSettings(plannerSettings(options, m_planner.model().geometry()));
+    }
     void setConnected(bool connected);
     void setMode(MotionMode mode) { m_mode = mode; }
     /// Every snapshot: it says when the next pose is due, and why the list ends early.
@@ -78,7 +80,7 @@ private:
     void chooseFile(bool toSave);
     void retranslate();
 
-    MoveJudge m_judge;
+    MotionPlanner m_planner;
     MotionMode m_mode = MotionMode::Joint;
     std::function<std::optional<Pose>()> m_target;
     std::optional<Pose> m_measured; ///< present and usable
