@@ -118,7 +118,7 @@ int forwardCommand(const QStringList& words) {
     const PlatformGeometry platform = arguments.platform();
     const CsvTable table = readCsv(arguments.operand(0));
     const NumberRows rows(table, kLengthColumns);
-    const ChosenSolver chosen = chooseSolverAlsoWhenSingular(arguments, platform);
+    const ChosenSolver chosen = chooseSolver(arguments, platform, SingularHome::Allowed);
     const PathFallback* fallback = chosen.fallback();
 
     bool allOk = true;

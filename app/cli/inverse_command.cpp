@@ -22,8 +22,7 @@ int inverseCommand(const QStringList& words) {
     const CsvTable table = readCsv(arguments.operand(0));
     const NumberRows rows(table, kPoseColumns);
     MotionLimits limits = motionLimits(platform, std::nullopt, std::nullopt);
-    limits.singularityMargin =
-        0.0; // strokes alone are judged here; the way to a pose is a matter of the move
+    limits.singularityMargin = 0.0; // only strokes are checked here; the path to a pose belongs to the move
     limits.leastDeterminantRatio = -std::numeric_limits<double>::infinity();
 
     const PlatformModel model(platform);

@@ -31,7 +31,7 @@ constexpr Subcommand kSubcommands[] = {
     {"forward", forwardCommand, false, "poses of leg lengths"},
     {"train", trainCommand, false, "fit a regression model to a platform"},
     {"simulate", simulateCommand, false, "a virtual platform on a pseudo-terminal"},
-    {"run", runCommand, true, "move a platform through a list of attitudes, and report"},
+    {"run", runCommand, true, "move a platform through a list of poses, and report"},
     {"report", reportCommand, true, "the error report of a recorded run"},
     {"track", trackCommand, true, "the motion of a mechanism over a drive, by finite-step integration"},
     {"reproduce", reproduceCommand, true, "the published tables and figures beside measured values"},

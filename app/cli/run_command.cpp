@@ -146,11 +146,11 @@ int runCommand(const QStringList& words) {
          withSolverOptions(
              {{"port", "PATH|virtual", "Serial port, or the built-in virtual platform."},
               {"baud", "N", "Baud rate (default: 115200)."},
-              {"targets", "POSES.csv", "Attitudes to visit, in order."},
+              {"targets", "POSES.csv", "Poses to visit, in order."},
               {"sweep", "AXIS,A,F0,F1,T",
                "In place of targets: a sine about where it is, of A mm or deg, from F0 to F1 Hz in T s."},
               {"mode", "joint|workspace", "Leg by leg, or closed on the pose (default: joint)."},
-              {"speed", "PERCENT", "Part of full speed (default: 100)."},
+              {"speed", "PERCENT", "Speed override, in percent of full speed (default: 100)."},
               {"envelope-mm", "E", "No further from home along x, y, z (default: no limit)."},
               {"envelope-deg", "E", "No further from home in alpha, beta, gamma."},
               {"log", "LOG.csv", "The log to write; never one that exists."},

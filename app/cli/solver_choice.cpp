@@ -117,12 +117,11 @@ std::vector<OptionSpec> withSolverOptions(std::vector<OptionSpec> own) {
     return own;
 }
 
-ChosenSolver chooseSolver(const Arguments& arguments, const PlatformGeometry& platform) {
-    return choose(arguments, platform, true);
-}
-
-ChosenSolver chooseSolverAlsoWhenSingular(const Arguments& arguments, const PlatformGeometry& platform) {
-    return choose(arguments, platform, PlatformModel(platform).homeDeterminant() != 0.0);
+ChosenSolver chooseSolver(const Arguments& arguments, const PlatformGeometry& platform,
+                          SingularHome singularHome) {
+    const bool trains =
+        singularHome == SingularHome::Refused || PlatformModel(platform).homeDeterminant() != 0.0;
+    return choose(arguments, platform, trains);
 }
 
 ChosenSolver makeDefaultSolver(const ForwardMethod& method, const PlatformGeometry& platform) {

@@ -29,11 +29,11 @@ std::vector<OptionSpec> withSolverOptions(std::vector<OptionSpec> own);
 /// The solver, MPR-NR with its fallback, of --method, --model, --tolerance-mm, --max-iterations, --steps and
 /// --form. A method that needs a model gets the one of --model, or the platform's own, trained on first use
 /// with a progress bar on a terminal.
-ChosenSolver chooseSolver(const Arguments& arguments, const PlatformGeometry& platform);
-
-/// The same, but of a platform that is singular at home, which can have no model, Newton, which says Singular
-/// of every pose; chooseSolver() refuses such a platform.
-ChosenSolver chooseSolverAlsoWhenSingular(const Arguments& arguments, const PlatformGeometry& platform);
+/// A platform that is singular at home can have no model: it is refused, or gets Newton, which reports
+/// Singular for every pose.
+enum class SingularHome { Refused, Allowed };
+ChosenSolver chooseSolver(const Arguments& arguments, const PlatformGeometry& platform,
+                          SingularHome singularHome = SingularHome::Refused);
 
 /// The solver of a method with its default options and the platform's own model.
 ChosenSolver makeDefaultSolver(const ForwardMethod& method, const PlatformGeometry& platform);

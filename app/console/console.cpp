@@ -120,8 +120,8 @@ void Console::makeSolver(const std::string& method) {
     connect(m_model.get(), &ModelJob::progressed, this,
             [this](double part) { m_window->banner().showTraining(part); });
     connect(m_model.get(), &ModelJob::ready, this, &Console::useSolver);
-    connect(m_model.get(), &ModelJob::cancelled, this, [this] { doWithout({}); });
-    connect(m_model.get(), &ModelJob::failed, this, &Console::doWithout);
+    connect(m_model.get(), &ModelJob::cancelled, this, [this] { fallBackToNewton({}); });
+    connect(m_model.get(), &ModelJob::failed, this, &Console::fallBackToNewton);
     m_model->start();
 }
 
@@ -156,7 +156,7 @@ void Console::openSession(const ReadySolver& solver) {
 }
 
 /// At the start Newton's method serves in place of the model, later on what was there before.
-void Console::doWithout(const QString& reason) {
+void Console::fallBackToNewton(const QString& reason) {
     const bool first = m_window->session() == nullptr;
     m_window->events().addNote(
         [reason, first] {

@@ -40,7 +40,7 @@ private:
     void makeSolver(const std::string& method);
     void useSolver(const ReadySolver& solver);
     void openSession(const ReadySolver& solver);
-    void doWithout(const QString& reason);
+    void fallBackToNewton(const QString& reason);
 
     QApplication& m_application;
     ConsoleOptions m_options;

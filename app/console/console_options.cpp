@@ -33,7 +33,7 @@ Usage usage() {
          {"language", "CODE", "en or zh_CN (default: the desktop's)."},
          {"theme", "light|dark", "Look of the window (default: the desktop's)."},
          {"headless", "",
-          "Without a display: run one move and a report of three attitudes, print the paths of log, "
+          "Without a display: run one move and a report of three poses, print the paths of log, "
           "report and picture."},
          {"output", "DIR", "Where --headless puts report and picture (default: beside the log)."},
          {"version", "", "Show the version."}},

@@ -23,7 +23,7 @@ public:
     explicit TomlValues(const std::string& sourceName) : m_source(sourceName) {}
 
     [[noreturn]] void fail(const toml::node& where, const std::string& cause) const;
-    /// The first in the file is told.
+    /// Reports the first in the file.
     void refuseUnknown(const toml::table& table, const std::string& what,
                        std::initializer_list<std::string_view> known) const;
     /// The key `format` with this number.

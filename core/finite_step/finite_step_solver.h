@@ -15,13 +15,13 @@ struct FiniteStepOptions {
 };
 
 /// Finite-step integration as a forward solver ("fsi"; Front. Mech. Eng. 2025, 20(1):7): goes from `start` to
-/// the lengths along the straight way of the legs. Its pose is connected to `start`, which no solver can say
+/// the lengths along the straight path of the legs. Its pose is connected to `start`, which no solver can say
 /// that only looks at lengths.
 ///
-/// Converged: the way was gone to its end, and the residual is within the tolerance; how near the pose is is
-/// said by the residual, for the method does not iterate. IterationLimit: more steps are needed. Singular:
-/// the way meets a singular pose; the pose is the last one reached, the residual what is left to go.
-/// NoSolution: the lengths break a triangle inequality. Iterations are steps.
+/// Converged: the path was followed to its end, and the residual is within the tolerance; how near the pose
+/// is is said by the residual, for the method does not iterate. IterationLimit: more steps are needed.
+/// Singular: the path meets a singular pose; the pose is the last one reached, the residual what is left to
+/// go. NoSolution: the lengths break a triangle inequality. Iterations are steps.
 class FiniteStepSolver final : public ForwardSolver {
 public:
     /// Throws InputError when no three platform joints span a triangle.

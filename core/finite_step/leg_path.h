@@ -23,7 +23,7 @@ struct PathResult {
     PathEnd end = PathEnd::InvalidInput;
     Pose pose;           ///< by best rigid fit; angles in the ranges of eulerAngles(); NaN for InvalidInput
     double q = 0.0;      ///< there: determinant of the step matrix over that at home, signed
-    double leastQ = 0.0; ///< on the way
+    double leastQ = 0.0; ///< along the path
     int step = 0;        ///< steps done
     double smallestSingularValue = 0.0; ///< there, see singularity.h
 };

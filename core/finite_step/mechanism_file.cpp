@@ -90,7 +90,7 @@ private:
     void addSpecial(const toml::table& table, const std::string& what);
     void readOutput(const toml::table& output);
     void readPivot(const toml::table& output);
-    void judge(const toml::node& where, const std::string& what, const std::string& fault) const {
+    void require(const toml::node& where, const std::string& what, const std::string& fault) const {
         if (!fault.empty())
             m_values.fail(where, what + fault);
     }
@@ -176,7 +176,7 @@ void Reader::setCarriers(const toml::table& table, const std::string& what, Mech
         m_values.fail(node, what + "carried_by is not a list of three or four names");
     for (const toml::node& entry : *list)
         point.carriers.push_back(find(entry, what + "carried_by"));
-    judge(node, what, carriageFault(m_mechanism, point));
+    require(node, what, carriageFault(m_mechanism, point));
 }
 
 void Reader::readReference(const toml::table& table, const std::string& what, Actuator& actuator) const {
@@ -229,7 +229,7 @@ void Reader::addActuator(const toml::table& table, const std::string& what) {
     } else {
         readHand(table, what, actuator);
     }
-    judge(table, what, actuatorFault(m_mechanism, actuator));
+    require(table, what, actuatorFault(m_mechanism, actuator));
     readReference(table, what, actuator);
     m_mechanism.actuators.push_back(actuator);
 }
@@ -241,7 +241,7 @@ void Reader::addRigid(const toml::table& table, const std::string& what) {
                           ? ConstraintKind::Distance
                           : ConstraintKind::Translation;
     constraint.points = findAll(table, what, 2);
-    judge(table, what, constraintFault(m_mechanism, constraint));
+    require(table, what, constraintFault(m_mechanism, constraint));
     m_mechanism.constraints.push_back(constraint);
 }
 
@@ -267,7 +267,7 @@ void Reader::addSpecial(const toml::table& table, const std::string& what) {
         constraint.points = findAll(table, what, 3);
         constraint.points.push_back(find(m_values.need(table, what, "centre"), what + "centre"));
     }
-    judge(table, what, constraintFault(m_mechanism, constraint));
+    require(table, what, constraintFault(m_mechanism, constraint));
     m_mechanism.constraints.push_back(constraint);
 }
 
@@ -317,7 +317,7 @@ Mechanism Reader::read() {
     each("projection", [&](const toml::table& t, const std::string& what) { addProjection(t, what); });
     each("special", [&](const toml::table& t, const std::string& what) { addSpecial(t, what); });
     readPivot(output);
-    judge(output, "output: ", outputFault(m_mechanism));
+    require(output, "output: ", outputFault(m_mechanism));
     return m_mechanism;
 }
 

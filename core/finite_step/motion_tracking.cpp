@@ -13,7 +13,7 @@ namespace hexapose {
 
 namespace {
 
-/// Steps of the way from home to where a drive begins.
+/// Steps of the path from home to where a drive begins.
 constexpr int kLeadInSteps = 1000;
 
 Eigen::VectorXd valuesOf(const std::vector<DriveState>& states) {
@@ -36,7 +36,7 @@ Eigen::VectorXd firstNodes(const StepSystem& system, const DrivePath& drive) {
     Eigen::VectorXd nodes = path.nodes(), shift = nodes;
     StepWorkspace memory = system.workspace();
     if (path.isSingular() || !solveNodes(system, values, memory, shift, nodes))
-        throw InputError("drive", "where it begins cannot be reached from home along a straight way of the "
+        throw InputError("drive", "where it begins cannot be reached from home along a straight path of the "
                                   "actuators: it meets a singular pose");
     return nodes;
 }

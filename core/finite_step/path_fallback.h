@@ -24,8 +24,8 @@ struct PathFallbackOptions {
 
 /// Another solver, and where that one is not sure of its branch, finite-step integration from `start`: the
 /// pose is followed while the legs go straight from their lengths at `start` to those asked for. Not sure is
-/// - a usable pose so far from `start` that the legs, which went hardly any way, cannot have led there;
-/// - OtherBranch: a pose of these lengths, by no known way joined to home or `start`;
+/// - a usable pose so far from `start` that the legs, which hardly moved, cannot have led there;
+/// - OtherBranch: a pose of these lengths, by no known path joined to home or `start`;
 /// - Singular: a pose of these lengths that they do not tell from its neighbours;
 /// - IterationLimit.
 /// Not NoSolution: nothing was found from anywhere, and a path would end before a pose that is not there.

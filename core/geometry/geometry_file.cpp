@@ -31,7 +31,7 @@ private:
         return m_values.vector(table, what, key).unaryExpr(&metresFromMm);
     }
     Leg leg(const toml::node& node, int number) const;
-    void judge(const PlatformGeometry& geometry, const toml::array& legs) const;
+    void validate(const PlatformGeometry& geometry, const toml::array& legs) const;
 
     const toml::table& m_root;
     const TomlValues m_values;
@@ -70,11 +70,11 @@ PlatformGeometry Reader::read() const {
                       "expected 6 legs, found " + std::to_string(list->size()));
     for (std::size_t i = 0; i < kLegCount; ++i)
         geometry.legs[i] = leg(*list->get(i), static_cast<int>(i) + 1);
-    judge(geometry, *list);
+    validate(geometry, *list);
     return geometry;
 }
 
-void Reader::judge(const PlatformGeometry& geometry, const toml::array& legs) const {
+void Reader::validate(const PlatformGeometry& geometry, const toml::array& legs) const {
     const auto faults = findFaults(geometry);
     if (faults.empty())
         return;

@@ -16,7 +16,7 @@ public:
     LegTrajectory(const LegLengths& from, const LegLengths& to, double legSpeed);
     /// Set-points at a time since the start; before it `from`, after the end `to`.
     LegLengths at(std::chrono::nanoseconds elapsed) const;
-    /// Part of the way, 0..1.
+    /// Part of the path, 0..1.
     double fractionAt(std::chrono::nanoseconds elapsed) const;
     std::chrono::nanoseconds duration() const { return m_duration; }
 

@@ -21,14 +21,14 @@ struct PoseEnvelope {
     bool operator==(const PoseEnvelope&) const = default;
 };
 
-/// What a pose or a move is judged against.
+/// What a pose or a move is checked against.
 struct MotionLimits {
     LegLengths minLength = LegLengths::Zero(); ///< m
     LegLengths maxLength = LegLengths::Zero();
     double singularityMargin =
         0.05; ///< least allowed smallest singular value of the scaled Jacobian (no unit)
     /// Least allowed q, the determinant of the scaled Jacobian over that at home: 0 where the side is left.
-    /// -infinity: not judged.
+    /// -infinity: not checked.
     double leastDeterminantRatio = 0.02;
     PoseEnvelope envelope;
     double legSpeed = std::numeric_limits<double>::infinity();        ///< m/s

@@ -17,7 +17,7 @@ namespace {
 using State = PathTiming::State;
 
 constexpr std::size_t kCapSamples = 256; ///< of the rate limit over s
-constexpr int kBrakeSamples = 24;        ///< of a braking, when it is judged
+constexpr int kBrakeSamples = 24;        ///< of a braking, when it is checked
 constexpr int kStepsOfAPlan = 1000;      ///< about, where the limits let the plan be as coarse as that
 constexpr int kStepsOfAJerk = 10;        ///< at least, in the time that a change of acceleration takes
 constexpr int kBisections = 10;          ///< of the jerk

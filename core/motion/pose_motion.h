@@ -45,7 +45,7 @@ public:
     virtual ~PoseMotion() = default;
     virtual PoseReference at(double seconds) const = 0; ///< before 0 as at 0, after the end as at the end
     virtual double duration() const = 0;                ///< s
-    /// What lies between two samples of the motion is judged by these.
+    /// What lies between two samples of the motion is checked by these.
     virtual RateBounds rateBounds(const Eigen::Vector3d& p_PC_P) const = 0;
 };
 

@@ -32,16 +32,16 @@ public:
         m_bounds.acceleration /= m_equations.size();
     }
 
-    MotionCheck judge() {
+    MotionCheck check() {
         Sample before = sample(0.0);
-        if (const MotionCheck check = judgeSample(before); !check.ok())
+        if (const MotionCheck check = checkSample(before); !check.ok())
             return check;
         const double part = m_motion.duration() / kParts;
         for (int k = 1; k <= kParts; ++k) {
             const Sample after = sample(k == kParts ? m_motion.duration() : k * part);
-            if (const MotionCheck check = judgePart(before, after); !check.ok())
+            if (const MotionCheck check = checkSegment(before, after); !check.ok())
                 return check;
-            if (const MotionCheck check = judgeRates(before, after); !check.ok())
+            if (const MotionCheck check = checkRates(before, after); !check.ok())
                 return check;
             before = after;
         }
@@ -73,7 +73,7 @@ private:
         return m_motion.duration() > 0.0 ? time / m_motion.duration() : 1.0;
     }
 
-    MotionCheck judgeSample(const Sample& at) const {
+    MotionCheck checkSample(const Sample& at) const {
         MotionCheck check = checkLegs(m_limits, at.lengths);
         if (check.ok())
             check = outsideEnvelope(m_limits.envelope, at.pose).value_or(MotionCheck{});
@@ -127,19 +127,19 @@ private:
         return holds(a.path) && holds(b.path);
     }
 
-    MotionCheck judgePart(const Sample& a, const Sample& b) const {
+    MotionCheck checkSegment(const Sample& a, const Sample& b) const {
         if (expired(m_timer))
             return failedAlongPath(MotionCheck::Reason::PlanTooLong, fraction(a.time), 0.0, 0.0);
         const bool holds = strokesHold(a, b) && marginHolds(a, b);
         if (holds || jointWay(b.time - a.time, a.path.arms().maxCoeff()) <= kResolution)
-            return judgeSample(b);
+            return checkSample(b);
         const Sample middle = sample(0.5 * (a.time + b.time));
-        if (const MotionCheck check = judgePart(a, middle); !check.ok())
+        if (const MotionCheck check = checkSegment(a, middle); !check.ok())
             return check;
-        return judgePart(middle, b);
+        return checkSegment(middle, b);
     }
 
-    MotionCheck judgeRates(const Sample& a, const Sample& b) const {
+    MotionCheck checkRates(const Sample& a, const Sample& b) const {
         const double seconds = b.time - a.time;
         for (int leg = 0; leg < kLegCount && seconds > 0.0; ++leg) {
             const double speed = std::abs(b.rates[leg]);
@@ -177,7 +177,7 @@ MotionCheck checkMotion(const PlatformModel& model, const MotionLimits& limits, 
         check.reason = MotionCheck::Reason::NotFinite;
         return check;
     }
-    return MotionChecker(model, limits, motion, timer).judge();
+    return MotionChecker(model, limits, motion, timer).check();
 }
 
 } // namespace hexapose

@@ -15,13 +15,13 @@ namespace hexapose {
 
 namespace {
 
-constexpr double kMargin = 0.995;   ///< of a limit that holds along the way: the plan is made of steps
+constexpr double kMargin = 0.995;   ///< of a limit that holds along the path: the plan is made of steps
 constexpr int kLegSamples = 200;    ///< of the legs' accelerations
 constexpr int kReplans = 8;         ///< for them
 constexpr double kRounding = 1e-14; ///< of a sum of lengths
 constexpr double kNoLength = 1e-12; ///< of the machine's size, and rad
 
-/// A limit of s from a limit of what grows by `length` over the whole way.
+/// A limit of s from a limit of what grows by `length` over the whole path.
 double share(double limit, double length) {
     return length > 0.0 ? limit / length : std::numeric_limits<double>::infinity();
 }

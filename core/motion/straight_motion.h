@@ -26,7 +26,6 @@ public:
     RateBounds rateBounds(const Eigen::Vector3d& p_PC_P) const override;
 
     const Pose& from() const { return m_from; }
-    const Twist& way() const { return m_displacement; } ///< the whole displacement
 
 private:
     StraightMotion(const PlatformModel& model, const Pose& from, const Pose& to, const MotionBounds& bounds,

@@ -21,7 +21,7 @@ struct ErrorStatistics {
     PoseVector maximum = PoseVector::Zero(); ///< of the absolute value
 };
 
-/// Lengths are commonly told with one decimal of a millimetre, m.
+/// Lengths are commonly reported with one decimal of a millimetre, m.
 inline constexpr double kLengthResolution = 1e-4;
 
 /// One row of the report, as Table 5: reference, solved, error, and what the length resolution alone

@@ -13,12 +13,12 @@ namespace hexapose {
 
 namespace {
 
-constexpr int kLooksAhead = 4;   ///< poses on the way to rest that are judged
-constexpr double kReserve = 1.2; ///< of that way
+constexpr int kLooksAhead = 4;          ///< poses on the path to rest that are checked
+constexpr double kBrakingReserve = 1.2; ///< of that distance
 /// A jog may begin with a leg so far beyond the end of its stroke, of the machine's size: measured, not led
 /// there.
 constexpr double kBeyondOfSize = 1e-3;
-constexpr double kStands = 1e-3; ///< of full pace: less is none
+constexpr double kStandstill = 1e-3; ///< of full pace: less is none
 
 } // namespace
 
@@ -43,7 +43,7 @@ JogMotion::Limits JogMotion::limits() const {
     return {m_bounds.angularSpeed, m_bounds.angularAcceleration, m_bounds.angularJerk};
 }
 
-/// 0 where the way to rest, begun a moment later, would leave the limits.
+/// 0 where the path to rest, begun a moment later, would leave the limits.
 double JogMotion::wantedPace(const Cycle& cycle) {
     const Limits most = limits();
     if (!m_held || m_blocked || m_direction != m_wanted)
@@ -54,13 +54,14 @@ double JogMotion::wantedPace(const Cycle& cycle) {
     const double pace = full * m_override * cycle.speed;
     const double faster =
         std::max(m_pace, 0.0) + std::max(m_acceleration, 0.0) * most.acceleration / most.jerk;
-    const double way = kReserve * (0.5 * faster * faster / most.acceleration +
-                                   faster * (most.acceleration / most.jerk + 2.0 * cycle.seconds));
+    const double distance =
+        kBrakingReserve * (0.5 * faster * faster / most.acceleration +
+                           faster * (most.acceleration / most.jerk + 2.0 * cycle.seconds));
     const LegLengths here = m_model->actuators(m_reference);
     const MotionLimits bounds = limitsFrom(cycle.limits, here, kBeyondOfSize * m_model->size());
     for (int k = 1; k <= kLooksAhead; ++k) {
         const Pose ahead =
-            displaced(m_reference, (way * k / kLooksAhead + kStands * full * cycle.seconds) * unit);
+            displaced(m_reference, (distance * k / kLooksAhead + kStandstill * full * cycle.seconds) * unit);
         const MotionCheck check = checkPose(*m_model, bounds, ahead);
         if (check.ok())
             continue;
@@ -81,7 +82,7 @@ void JogMotion::changePace(double wanted, double seconds) {
         std::copysign(std::min({most.acceleration, swing, std::abs(missing) / seconds}), missing);
     m_acceleration += std::clamp(aim - m_acceleration, -most.jerk * seconds, most.jerk * seconds);
     m_pace = std::max(m_pace + m_acceleration * seconds, 0.0);
-    if (wanted == 0.0 && m_pace <= kStands * most.pace)
+    if (wanted == 0.0 && m_pace <= kStandstill * most.pace)
         m_pace = m_acceleration = 0.0;
 }
 

@@ -9,7 +9,7 @@
 namespace hexapose {
 
 /// A jog: the reference goes on in one direction while it is held, and comes to rest when it is released, or
-/// before a limit, in good time: what it would take to come to rest is judged in every cycle.
+/// before a limit, in good time: what it would take to come to rest is checked in every cycle.
 class JogMotion final : public MotionGenerator {
 public:
     /// from: set-point in force; at: measured pose. bounds: complete.

@@ -24,7 +24,7 @@ struct WorkspaceOptions {
 /// One step of the loop that is closed on the pose: error against the reference -> twist (feed-forward and
 /// gain) -> leg rates by the Jacobian -> set-points. Rates are scaled together, so that the direction in the
 /// workspace is kept, and the path is slowed down for the slowest leg. Set-points lead by each leg's own lag,
-/// which is learned on the way. Clock, wire and thread know nothing of it.
+/// which is learned along the path. Clock, wire and thread know nothing of it.
 class WorkspaceController {
 public:
     WorkspaceController(SharedModel model, const WorkspaceOptions& options);

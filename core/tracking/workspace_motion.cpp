@@ -9,8 +9,8 @@ namespace hexapose {
 
 namespace {
 
-constexpr double kHardly = 0.05;     ///< of the operator's speed: a path that is slower does not go on
-constexpr double kStallsAfter = 1.0; ///< s
+constexpr double kStalledShare = 0.05; ///< of the operator's speed: a path that is slower does not go on
+constexpr double kStallsAfter = 1.0;   ///< s
 
 } // namespace
 
@@ -28,7 +28,7 @@ LegLengths WorkspaceMotion::step(const Cycle& cycle) {
     const WorkspaceController::Step step = m_controller.step(
         {*cycle.lengths, *cycle.pose, m_waited}, m_motion->at(m_pathTime), m_following, speed, cycle.limits);
     m_pathTime += step.pathRate * m_waited;
-    const bool goesOn = finished() || speed <= 0.0 || step.pathRate > kHardly * speed;
+    const bool goesOn = finished() || speed <= 0.0 || step.pathRate > kStalledShare * speed;
     m_stalled = goesOn ? 0.0 : m_stalled + m_waited;
     m_waited = 0.0;
     m_setPoint = step.setPoint;

@@ -76,11 +76,6 @@ Outcome headless(const Scratch& scratch, const std::vector<std::string>& more,
     return process.wait();
 }
 
-/// A machine so busy that the program does not get to read for 200 ms stops the platform, and rightly.
-bool wasTooBusy(const Outcome& outcome) {
-    return outcome.status == 1 && outcome.err.find("stopped-on-stale-data") != std::string::npos;
-}
-
 /// Once more where the machine was too busy.
 void expectWell(const std::function<Outcome(const Scratch&)>& job,
                 const std::function<void(const Outcome&, const Scratch&)>& judge) {

@@ -92,7 +92,7 @@ private:
     void takeCommand(const std::vector<std::string>& fields);
     bool obey(const std::string& type);
     void takeSet(const std::vector<std::string>& fields);
-    void judgeSet(const Six& lengths, long number);
+    void checkSet(const Six& lengths, long number);
     void violate(const std::string& what) { m_violations.push_back(what); }
     void answer(const std::string& payload);
     void reply(const std::string& type, bool allowed);

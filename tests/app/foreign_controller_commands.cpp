@@ -114,7 +114,7 @@ void ForeignController::takeSet(const std::vector<std::string>& fields) {
     for (std::size_t i = 0; i < lengths.size(); ++i)
         lengths[i] = std::strtod(fields[i + 2].c_str(), nullptr);
     const long number = std::atol(fields[1].c_str());
-    judgeSet(lengths, number);
+    checkSet(lengths, number);
     if (m_state != 'E')
         return answer("ERR,SET,STATE,drives are off");
     const auto [least, most] = std::minmax_element(lengths.begin(), lengths.end());
@@ -126,7 +126,7 @@ void ForeignController::takeSet(const std::vector<std::string>& fields) {
     m_setNumber = static_cast<int>(number);
 }
 
-void ForeignController::judgeSet(const Six& lengths, long number) {
+void ForeignController::checkSet(const Six& lengths, long number) {
     if (number < 0 || number > 65535 || (m_lastHostNumber && number != (*m_lastHostNumber + 1) % 65536))
         violate("SET numbers do not count up: " + std::to_string(number));
     m_lastHostNumber = number;

@@ -45,8 +45,11 @@ struct Ran {
 
 inline constexpr int kAttempts = 6; ///< on a machine that is too busy to keep the times of a controller
 
-/// A run that must go well. It is repeated when the machine was too busy even for the controller to keep its
-/// times.
+/// A program that does not get to read for 200 ms stops the platform, and rightly.
+bool wasTooBusy(const Outcome& outcome);
+
+/// A run that must go well. It is repeated when the machine was too busy for the program, or even for the
+/// controller to keep its times.
 Ran runWell(const ForeignController::Traits& traits, const ForeignController::Plan& plan,
             const std::vector<Six>& poses, const std::vector<std::string>& more = {});
 

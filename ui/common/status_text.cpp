@@ -60,14 +60,14 @@ Tone stateTone(RunState state) {
 
 namespace {
 
-enum class Known { Yes, NoData, NotTold };
+enum class Known { Yes, NoData, NotReported };
 
 Known knownState(const Snapshot& snapshot) {
     if (snapshot.state == RunState::Disconnected) {
         return Known::Yes;
     }
     if (snapshot.link == LinkState::ListenOnly) {
-        return Known::NotTold;
+        return Known::NotReported;
     }
     // A stop of our own, or the end of the loop, is known without the controller.
     const bool own = snapshot.state == RunState::Stopped || snapshot.state == RunState::Fault;
@@ -80,7 +80,7 @@ QString stateText(const Snapshot& snapshot) {
     switch (knownState(snapshot)) {
     case Known::NoData:
         return StatusText::tr("No data");
-    case Known::NotTold:
+    case Known::NotReported:
         return StatusText::tr("Not known");
     case Known::Yes:
         break;
@@ -92,8 +92,8 @@ Tone stateTone(const Snapshot& snapshot) {
     return knownState(snapshot) == Known::Yes ? stateTone(snapshot.state) : Tone::Warn;
 }
 
-QString runHindrance(const Snapshot& snapshot) {
-    if (const QString link = linkHindrance(snapshot); !link.isEmpty()) {
+QString runInhibit(const Snapshot& snapshot) {
+    if (const QString link = linkInhibit(snapshot); !link.isEmpty()) {
         return link;
     }
     if (snapshot.state == RunState::Disconnected || snapshot.allowed.contains(Command::Run)) {
@@ -112,7 +112,7 @@ QString runHindrance(const Snapshot& snapshot) {
     }
 }
 
-QString linkHindrance(const Snapshot& snapshot) {
+QString linkInhibit(const Snapshot& snapshot) {
     if (snapshot.state == RunState::Disconnected) {
         return {};
     }

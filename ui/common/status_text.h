@@ -18,9 +18,9 @@ QString stateText(RunState state);
 QString stateText(const Snapshot& snapshot);
 Tone stateTone(const Snapshot& snapshot);
 /// Why nothing can be run now, though something is connected; empty when it can.
-QString runHindrance(const Snapshot& snapshot);
+QString runInhibit(const Snapshot& snapshot);
 /// The same, but for a stop or fault that wants to be cleared.
-QString linkHindrance(const Snapshot& snapshot);
+QString linkInhibit(const Snapshot& snapshot);
 Tone stateTone(RunState state);
 QString solveStatusText(SolveStatus status);
 /// "MPR3-NR" of "mpr3-nr"; the word itself when it is not known.

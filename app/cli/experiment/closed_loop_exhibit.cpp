@@ -227,7 +227,7 @@ std::string describe(const TrialSettings& settings) {
     if (settings.push != 0.0)
         text += ". During each move one leg, the next each time, is pushed by " + mm(settings.push) +
                 " mm for " + formatNumber(settings.pushSeconds) + " s";
-    return text + ". Deviations are those of the true platform from the straight way.";
+    return text + ". Deviations are those of the true platform from the straight line.";
 }
 
 } // namespace
@@ -247,7 +247,7 @@ Exhibit closedLoopExhibit(const TrialSettings& settings, const BothModes& pushed
         "it. Settling: from the end of the planned path until the platform was inside its "
         "window for the whole time. "
         "Speed: that of P over 100 ms against the commanded one, where that has been constant for 0.35 s and "
-        "no push was on in the last 0.8 s; joint mode cannot be told a speed in the workspace."};
+        "no push was on in the last 0.8 s; joint mode cannot be given a speed in the workspace."};
     const double part =
         largest(valuesOf(workspace, kQuantities[0])) / largest(valuesOf(joint, kQuantities[0]));
     exhibit.checkRule = "goals: deviation five times smaller, speed within 5 %, every move settles";

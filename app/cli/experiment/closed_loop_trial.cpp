@@ -116,7 +116,7 @@ private:
         const Twist gone = displacement(m_outcome.from, pose);
         const double length = m_displacement.head<3>().norm();
         const double turn = m_displacement.tail<3>().norm();
-        // The place on the way: by position, or by angle where it only turns.
+        // The place along the path: by position, or by angle where it only turns.
         const double part = length > 0.0 ? gone.head<3>().dot(m_displacement.head<3>()) / (length * length)
                             : turn > 0.0 ? gone.tail<3>().dot(m_displacement.tail<3>()) / (turn * turn)
                                          : 0.0;

@@ -15,13 +15,13 @@ constexpr int kPointsOnWay = 10;
 /// Where the determinant comes closer to zero than this part of home's, more points are looked at.
 constexpr double kNearSide = 0.05;
 constexpr int kFinePoints = 64;
-/// Path following: first and shortest part of the way, and what a part may ask of Newton.
+/// Path following: first and shortest part of the path, and what a part may ask of Newton.
 constexpr double kFirstPart = 1.0 / 16.0;
 constexpr double kShortestPart = 1.0 / 4096.0;
 constexpr int kMostCorrections = 5;
 constexpr double kLongestCorrection = 0.12; // machine sizes
-/// While on the way; only its end is solved to the tolerance asked for.
-constexpr double kTube = 1e-6;
+/// Along the path; only its end is solved to the tolerance asked for.
+constexpr double kPathTolerance = 1e-6;
 
 Eigen::Quaterniond turnOf(const Placement& place) {
     return Eigen::Quaterniond(place.w, place.v[0], place.v[1], place.v[2]).normalized();
@@ -77,8 +77,9 @@ std::optional<Placement> HomeSide::follow(const Placement& from, const LegEquati
     double done = 0.0, part = kFirstPart;
     while (done < 1.0) {
         const double next = std::min(1.0, done + part);
-        const auto corrected = correct(place, first + next * (target - first),
-                                       next < 1.0 ? std::max(kTube, tolerance) : tolerance, iterations);
+        const auto corrected =
+            correct(place, first + next * (target - first),
+                    next < 1.0 ? std::max(kPathTolerance, tolerance) : tolerance, iterations);
         if (corrected) {
             place = *corrected;
             done = next;

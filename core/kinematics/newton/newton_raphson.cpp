@@ -96,7 +96,7 @@ ForwardResult NewtonRaphson::solve(const LegLengths& lengths, const Pose& start,
     run.evaluation = equations().evaluate(run.placement, target);
     run.evaluation.residual = found.residual / equations().size();
     run.end = NewtonEnd::Solved;
-    return judged(run, found.iterations, equations().placementOf(start), target);
+    return verified(run, found.iterations, equations().placementOf(start), target);
 }
 
 ForwardResult NewtonRaphson::solveCarefully(const LegLengths& lengths, const Pose& start) const noexcept {
@@ -139,7 +139,7 @@ ForwardResult NewtonRaphson::solveCarefully(const LegLengths& lengths, const Pos
             found = takes(place, StepGuard::Shorten) || takes(place, StepGuard::None);
         }
     }
-    return judged(run, iterations, from, target);
+    return verified(run, iterations, from, target);
 }
 
 bool NewtonRaphson::isNear(const Pose& pose, double ratio) const noexcept {
@@ -148,8 +148,8 @@ bool NewtonRaphson::isNear(const Pose& pose, double ratio) const noexcept {
            at.head<3>().maxCoeff() <= m_lanes.offsetBox && at.tail<3>().maxCoeff() <= m_lanes.angleBox;
 }
 
-ForwardResult NewtonRaphson::judged(const NewtonRun& run, int iterations, const Placement& start,
-                                    const LegEquations::Legs& target) const noexcept {
+ForwardResult NewtonRaphson::verified(const NewtonRun& run, int iterations, const Placement& start,
+                                      const LegEquations::Legs& target) const noexcept {
     const double residual = run.evaluation.residual * equations().size();
     ForwardResult result{equations().poseOf(run.placement), statusOf(run.end), iterations, residual,
                          run.end == NewtonEnd::Solved};

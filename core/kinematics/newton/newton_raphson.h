@@ -23,10 +23,10 @@ double defaultTolerance(const PlatformGeometry& geometry);
 /// Newton-Raphson with the exact derivative (Eq. 14 on rotations instead of Euler angles, so that gimbal lock
 /// is no obstacle), the stop test before the update. Quadratic. Plain steps first, on the processor's vector
 /// unit; where they go astray, steps that are shortened when they make the residual worse; where those end on
-/// another side, the pose followed along the straight way of the legs.
+/// another side, the pose followed along the straight path of the legs.
 ///
 /// Converged says that the Jacobian's determinant has home's sign and that the pose is joined to home (or to
-/// a `start` on home's side) by a way on which it keeps it: the straight one, or that of the legs. A pose of
+/// a `start` on home's side) by a path on which it keeps it: the straight one, or that of the legs. A pose of
 /// these lengths of which that cannot be said is OtherBranch. Others: IterationLimit; Singular when the
 /// Jacobian cannot be inverted at the pose found or at home; NoSolution when the lengths break a triangle
 /// inequality, or the residual stays at a positive minimum from `start` and no pose was reached from home and
@@ -55,8 +55,8 @@ public:
 
 private:
     ForwardResult solveCarefully(const LegLengths& lengths, const Pose& start) const noexcept;
-    ForwardResult judged(const NewtonRun& run, int iterations, const Placement& start,
-                         const LegEquations::Legs& target) const noexcept;
+    ForwardResult verified(const NewtonRun& run, int iterations, const Placement& start,
+                           const LegEquations::Legs& target) const noexcept;
     bool isNear(const Pose& pose, double ratio) const noexcept;
     void solveRange(std::span<const LegLengths> lengths, std::span<ForwardResult> results) const noexcept;
     void unpack(const LaneBlock& block, std::span<const LegLengths> lengths,

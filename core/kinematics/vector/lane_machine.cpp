@@ -25,10 +25,10 @@ constexpr int kMostBoxes = 20;
 constexpr int kRays = 300;
 constexpr int kLooks = 20;
 /// A ray on which the determinant has fallen below the first part of home's must not see it rise above the
-/// second again: then who finds more than the second in the box knows that the straight way from home is
+/// second again: then who finds more than the second in the box knows that the straight path from home is
 /// free.
-constexpr double kGone = 0.03;
-constexpr double kThere = 0.1;
+constexpr double kLostShare = 0.03;
+constexpr double kCertainShare = 0.1;
 constexpr std::uint64_t kSeed = 20230382;
 
 /// The triple of legs, then the other, in which the first spans the largest volume at home.
@@ -116,7 +116,7 @@ LaneMachine makeLaneMachine(const LegEquations& equations, double homeDeterminan
 
     if (homeDeterminant == 0.0)
         return machine;
-    machine.leastDeterminant = kThere * std::abs(homeDeterminant);
+    machine.leastDeterminant = kCertainShare * std::abs(homeDeterminant);
     double slope = 0.0;
     const auto isFree = [&](const PoseVector& end) {
         std::array<double, kLooks> determinants{};
@@ -129,9 +129,9 @@ LaneMachine makeLaneMachine(const LegEquations& equations, double homeDeterminan
             const double part = determinant / std::abs(homeDeterminant);
             slope = std::max(slope, std::abs(part - before) / look);
             before = part;
-            if (gone && part > kThere)
+            if (gone && part > kCertainShare)
                 return false;
-            gone = gone || !(part > kGone);
+            gone = gone || !(part > kLostShare);
         }
         return true;
     };

@@ -30,7 +30,7 @@ struct LaneMachine {
         0.0; ///< from the product of both blocks to det J; has home's sign, so > 0 is home's side
     double homeDeterminant = 0.0; ///< that product at home
     /// Within this box about home, m and rad, who finds at least this |det J| is joined to home by
-    /// a straight way on one side of the singular surface; rays through the box were looked at beforehand.
+    /// a straight path on one side of the singular surface; rays through the box were looked at beforehand.
     double offsetBox = 0.0, angleBox = 0.0;
     double leastDeterminant = 0.0; ///< of the Jacobian, without sign
     double determinantSlope = 0.0; ///< most that it changed on those rays, over the norm of the step
@@ -41,7 +41,7 @@ constexpr std::size_t placeInMemory(std::size_t place) {
     return place + place / 3;
 }
 
-/// Where plain Newton steps led. What is not `solved` needs another way; what is not `certified` too: the
+/// Where plain Newton steps led. What is not `solved` needs another path; what is not `certified` too: the
 /// pose is outside the box, near gimbal lock, or its side is not certain.
 struct LaneSolution {
     Pose pose;

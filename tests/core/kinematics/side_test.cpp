@@ -20,7 +20,7 @@ double determinantRatio(const PlatformGeometry& machine, const Pose& pose) {
     return singularityMeasure(machine, pose).determinant / singularityMeasure(machine, Pose{}).determinant;
 }
 
-/// Along the straight way from home: the origin on a line, one axis of rotation. Far finer than the solver
+/// Along the straight path from home: the origin on a line, one axis of rotation. Far finer than the solver
 /// looks.
 bool isStraightWayFree(const PlatformGeometry& machine, const Pose& pose) {
     const Eigen::AngleAxisd turn(rotationMatrix(pose.angles));
@@ -33,7 +33,7 @@ bool isStraightWayFree(const PlatformGeometry& machine, const Pose& pose) {
     return true;
 }
 
-/// Along the straight way of the legs, by Newton with the analytic Jacobian in many small steps.
+/// Along the straight path of the legs, by Newton with the analytic Jacobian in many small steps.
 bool isWayOfTheLegsFree(const PlatformGeometry& machine, const Pose& pose) {
     const LegLengths first = legLengths(machine, Pose{}), last = legLengths(machine, pose);
     PoseVector x = PoseVector::Zero();

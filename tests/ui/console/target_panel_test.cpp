@@ -69,7 +69,7 @@ TEST_F(TargetPanelTest, RunIsDisabledWithItsReasonWhileTheStateIsNotKnown) {
     EXPECT_FALSE(button("Run")->isEnabled());
     EXPECT_TRUE(button("Run")->toolTip().contains(QStringLiteral("nothing is connected")));
     EXPECT_TRUE(validity().contains(QStringLiteral("nothing is connected")));
-    type("Target z", "200"); // the target is judged all the same
+    type("Target z", "200"); // the target is checked all the same
     EXPECT_TRUE(validity().contains(QStringLiteral("above its maximum"))) << validity().toStdString();
 }
 

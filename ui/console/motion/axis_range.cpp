@@ -11,13 +11,13 @@ namespace hexapose {
 
 namespace {
 
-constexpr int kStepsOut = 64; ///< the first limit on the way is the one that counts
+constexpr int kStepsOut = 64; ///< the first limit along the path is the one that counts
 constexpr int kHalvings = 12;
 constexpr int kMarginSteps = 16; ///< the singularity margin changes slowly, and costs more to know
 
 using Allowed = std::function<bool(double)>;
 
-/// How far it is allowed all the way: looked at in `steps`, the end halved down to.
+/// How far every pose is allowed: looked at in `steps`, the end halved down to.
 double allowedWay(double reach, int steps, const Allowed& allowed) {
     double good = 0.0;
     double bad = reach;
@@ -42,7 +42,7 @@ bool inStrokes(const PlatformGeometry& geometry, const MotionLimits& limits, con
            (lengths.array() <= limits.maxLength.array()).all();
 }
 
-/// No leg changes faster than the platform moves, so the strokes bound the way from above.
+/// No leg changes faster than the platform moves, so the strokes bound the distance from above.
 double reachOf(const MotionLimits& limits, int coordinate) {
     return coordinate < 3 ? 2.0 * limits.maxLength.maxCoeff() : std::numbers::pi / 2.0;
 }

@@ -51,7 +51,7 @@ void GuidedTestPanel::setConnected(bool connected) {
 void GuidedTestPanel::showSnapshot(const Snapshot& snapshot) {
     m_planner.setControllerLimits(snapshot.minLength, snapshot.maxLength);
     m_measured = snapshot.stale ? std::nullopt : snapshot.measuredPose;
-    m_ready = runHindrance(snapshot).isEmpty() && m_measured.has_value();
+    m_ready = runInhibit(snapshot).isEmpty() && m_measured.has_value();
     updateButton();
 }
 

@@ -7,13 +7,13 @@
 namespace hexapose {
 
 namespace {
-constexpr std::chrono::milliseconds kSayEvery{50};
+constexpr std::chrono::milliseconds kRepeatInterval{50};
 constexpr std::chrono::milliseconds kStoodStill{150}; // the loop lets go a little later
 } // namespace
 
 JogHold::JogHold(std::function<bool()> mayGoOn, std::function<Clock::time_point()> now, QObject* parent)
     : QObject(parent), m_mayGoOn(std::move(mayGoOn)), m_now(std::move(now)) {
-    m_timer.setInterval(kSayEvery);
+    m_timer.setInterval(kRepeatInterval);
     m_timer.setTimerType(Qt::PreciseTimer);
     connect(&m_timer, &QTimer::timeout, this, &JogHold::tick);
 }
@@ -21,7 +21,7 @@ JogHold::JogHold(std::function<bool()> mayGoOn, std::function<Clock::time_point(
 void JogHold::start(const JogDirection& direction) {
     end();
     m_direction = direction;
-    m_said = m_now();
+    m_lastSent = m_now();
     m_timer.start();
     emit held(direction);
 }
@@ -40,7 +40,7 @@ void JogHold::tick() {
         return;
     }
     const Clock::time_point now = m_now();
-    if (!m_mayGoOn() || now - std::exchange(m_said, now) > kStoodStill) {
+    if (!m_mayGoOn() || now - std::exchange(m_lastSent, now) > kStoodStill) {
         end();
         return;
     }

@@ -13,9 +13,9 @@
 
 namespace hexapose {
 
-/// Hold-to-run: while a direction is held it is said again every 50 ms, and its end at once. What may not go
-/// on ends by itself at the next repetition, and so does what could not be repeated in time: after a screen
-/// that stood still the button has to be pressed anew.
+/// Hold-to-run: while a direction is held it is repeated every 50 ms, and its end is sent at once. What may
+/// not go on ends by itself at the next repetition, and so does what could not be repeated in time: after a
+/// screen that stood still the button has to be pressed anew.
 class JogHold final : public QObject {
     Q_OBJECT
 public:
@@ -40,7 +40,7 @@ private:
     std::function<bool()> m_mayGoOn;
     std::function<Clock::time_point()> m_now;
     std::optional<JogDirection> m_direction;
-    Clock::time_point m_said{};
+    Clock::time_point m_lastSent{};
     QTimer m_timer;
 };
 

@@ -126,7 +126,7 @@ QString JogPanel::hindrance() const {
     if (!m_connected) {
         return tr("Connect first; a jog needs the drives on");
     }
-    if (const QString why = linkHindrance(m_latest); !why.isEmpty()) {
+    if (const QString why = linkInhibit(m_latest); !why.isEmpty()) {
         return why;
     }
     switch (m_latest.state) {

@@ -32,7 +32,7 @@ public:
 
     void setControl(const ControlOptions& options);
     void setSolver(std::shared_ptr<const ForwardSolver> solver);
-    /// What a loop that has just begun has to be told.
+    /// What a loop that has just begun has to know.
     void sessionOpened();
     void setConnected(bool connected);
     void add(const Snapshot& snapshot);          ///< every one

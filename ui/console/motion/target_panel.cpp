@@ -23,8 +23,8 @@ namespace hexapose {
 
 namespace {
 
-constexpr int kJudgeEveryMs = 250;
-constexpr int kJudgeInMotionEveryMs = 1000;
+constexpr int kCheckEveryMs = 250;
+constexpr int kCheckInMotionEveryMs = 1000;
 constexpr double kSamePlace = 1e-4;    // m
 constexpr double kSameAttitude = 1e-3; // rad
 constexpr int kValidityLines = 3;
@@ -43,7 +43,7 @@ TargetPanel::TargetPanel(const PlatformGeometry& geometry, QWidget* parent)
     setTarget(Pose{});
     setConnected(false);
     retranslate();
-    judge();
+    checkTarget();
 }
 
 void TargetPanel::build() {
@@ -77,7 +77,7 @@ void TargetPanel::buildFields(QVBoxLayout& column) {
         field->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
         field->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("-0000.000")) + 18);
         m_fields[at] = field;
-        connect(field, &NumberField::edited, this, &TargetPanel::judge);
+        connect(field, &NumberField::edited, this, &TargetPanel::checkTarget);
         auto* label = new QLabel(text.symbol, this);
         label->setMinimumWidth(16);
         m_ranges[at] = makeMutedLabel(this, Qt::AlignRight | Qt::AlignVCenter);
@@ -131,12 +131,12 @@ void TargetPanel::buildButtons(QVBoxLayout& column) {
 
 void TargetPanel::setControl(const ControlOptions& options) {
     m_planner.setSettings(plannerSettings(options, m_planner.model().geometry()));
-    judge();
+    checkTarget();
 }
 
 void TargetPanel::setMode(MotionMode mode) {
     m_mode = mode;
-    judge();
+    checkTarget();
 }
 
 void TargetPanel::setConnected(bool connected) {
@@ -175,12 +175,12 @@ QString TargetPanel::runReason() const {
     if (!m_hindrance.isEmpty()) {
         return m_hindrance;
     }
-    return m_verdict && !m_verdict->ok() ? motionCheckText(*m_verdict) : QString();
+    return m_check && !m_check->ok() ? motionCheckText(*m_check) : QString();
 }
 
 void TargetPanel::showSnapshot(const Snapshot& snapshot) {
     const bool live = !snapshot.stale && snapshot.measuredPose;
-    if (const QString hindrance = runHindrance(snapshot); hindrance != m_hindrance) {
+    if (const QString hindrance = runInhibit(snapshot); hindrance != m_hindrance) {
         m_hindrance = hindrance;
         updateRun();
         showVerdict();
@@ -189,13 +189,13 @@ void TargetPanel::showSnapshot(const Snapshot& snapshot) {
     m_measured = live ? snapshot.measuredPose : std::nullopt;
     m_planner.setControllerLimits(snapshot.minLength, snapshot.maxLength);
     m_copy->setEnabled(m_measured.has_value());
-    // A judgement takes some milliseconds, for which every key waits: none where nothing has changed.
+    // A check takes some milliseconds, for which every key waits: none where nothing has changed.
     const bool moving = snapshot.state == RunState::Moving;
     const bool due =
-        !m_sinceJudged.isValid() ||
-        (m_sinceJudged.elapsed() > (moving ? kJudgeInMotionEveryMs : kJudgeEveryMs) && hasMoved());
+        !m_sinceCheck.isValid() ||
+        (m_sinceCheck.elapsed() > (moving ? kCheckInMotionEveryMs : kCheckEveryMs) && hasMoved());
     if (had != m_measured.has_value() || (due && isVisible())) {
-        judge();
+        checkTarget();
     }
 }
 
@@ -209,7 +209,7 @@ bool TargetPanel::hasMoved() const {
 }
 
 void TargetPanel::showEvent(QShowEvent* event) {
-    judge();
+    checkTarget();
     QWidget::showEvent(event);
 }
 
@@ -218,7 +218,7 @@ void TargetPanel::setTarget(const Pose& pose) {
     for (int i = 0; i < 6; ++i) {
         m_fields[static_cast<std::size_t>(i)]->showValue(toDisplay(i, si[i]));
     }
-    judge();
+    checkTarget();
 }
 
 std::optional<Pose> TargetPanel::target() const {
@@ -234,25 +234,25 @@ std::optional<Pose> TargetPanel::target() const {
 }
 
 void TargetPanel::run() {
-    judge();
+    checkTarget();
     if (const auto pose = target(); pose && runReason().isEmpty()) {
         emit runRequested(*pose, m_ids.take());
     }
 }
 
-void TargetPanel::judge() {
+void TargetPanel::checkTarget() {
     if (m_validity == nullptr || m_fields[5] == nullptr) {
         return;
     }
-    m_sinceJudged.start();
+    m_sinceCheck.start();
     m_plannerdFrom = m_measured;
     const auto pose = target();
     if (!pose) {
-        m_verdict.reset();
+        m_check.reset();
     } else if (m_measured) {
-        m_verdict = m_planner.check(*m_measured, *pose, m_mode);
+        m_check = m_planner.check(*m_measured, *pose, m_mode);
     } else {
-        m_verdict = m_planner.check(*pose);
+        m_check = m_planner.check(*pose);
     }
     if (m_named != nullptr) {
         m_named->setTargetWhole(pose.has_value());
@@ -290,14 +290,14 @@ void TargetPanel::showVerdict() {
         m_validity->showText(m_hindrance);
         return;
     }
-    if (m_verdict && m_verdict->ok() && !m_connected) {
+    if (m_check && m_check->ok() && !m_connected) {
         setTone(*m_lamp, Tone::Idle);
         m_validity->showText(tr("Reachable, but nothing is connected"));
         return;
     }
-    if (m_verdict) {
-        setTone(*m_lamp, m_verdict->ok() ? Tone::Good : Tone::Bad);
-        m_validity->showText(motionCheckText(*m_verdict));
+    if (m_check) {
+        setTone(*m_lamp, m_check->ok() ? Tone::Good : Tone::Bad);
+        m_validity->showText(motionCheckText(*m_check));
     }
 }
 

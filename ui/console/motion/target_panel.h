@@ -30,15 +30,15 @@ public:
 
     void setControl(const ControlOptions& options);
     void setConnected(bool connected);
-    /// The way that Run will take; judged anew, and nothing moves.
+    /// The path that Run will take; checked anew, and nothing moves.
     void setMode(MotionMode mode);
-    /// What the present pose and the controller's limits say; judged anew a few times a second at most.
+    /// What the present pose and the controller's limits say; checked anew a few times a second at most.
     void showSnapshot(const Snapshot& snapshot);
 
     void setTarget(const Pose& pose);
     /// Nothing while a field is refused.
     std::optional<Pose> target() const;
-    std::optional<MotionCheck> check() const { return m_verdict; }
+    std::optional<MotionCheck> check() const { return m_check; }
     const std::array<NumberField*, 6>& fields() const { return m_fields; }
     NamedPoses& namedPoses() { return *m_named; }
 
@@ -47,7 +47,7 @@ public slots:
 
 signals:
     void runRequested(const hexapose::Pose& target, hexapose::MotionId id);
-    void targetEdited(); ///< or judged anew
+    void targetEdited(); ///< or checked anew
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -58,7 +58,7 @@ private:
     void buildFields(QVBoxLayout& column);
     void buildValidity(QVBoxLayout& column);
     void buildButtons(QVBoxLayout& column);
-    void judge();
+    void checkTarget();
     bool hasMoved() const;
     void showRanges();
     void showVerdict();
@@ -74,8 +74,8 @@ private:
     bool m_connected = false;
     std::optional<Pose> m_measured;     ///< present and usable
     std::optional<Pose> m_plannerdFrom; ///< where it was then
-    std::optional<MotionCheck> m_verdict;
-    QElapsedTimer m_sinceJudged;
+    std::optional<MotionCheck> m_check;
+    QElapsedTimer m_sinceCheck;
     std::array<NumberField*, 6> m_fields{};
     std::array<QLabel*, 6> m_ranges{};
     QLabel* m_rangeTitle = nullptr;

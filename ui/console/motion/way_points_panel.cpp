@@ -46,7 +46,7 @@ void WayPointsPanel::setConnected(bool connected) {
 void WayPointsPanel::showSnapshot(const Snapshot& snapshot) {
     m_planner.setControllerLimits(snapshot.minLength, snapshot.maxLength);
     m_measured = snapshot.stale ? std::nullopt : snapshot.measuredPose;
-    m_ready = runHindrance(snapshot).isEmpty() && m_measured.has_value();
+    m_ready = runInhibit(snapshot).isEmpty() && m_measured.has_value();
     followHold(snapshot);
     updateButtons();
 }
@@ -75,8 +75,8 @@ void WayPointsPanel::step() {
     start(m_next < m_table->rowCount() ? m_next : 0, 1);
 }
 
-/// All of them from where the platform is, one after the other; the first that cannot be is told.
-bool WayPointsPanel::judgeRows(int first, int count, std::vector<Pose>& poses) {
+/// All of them, one after the other from the present pose; reports the first that cannot be reached.
+bool WayPointsPanel::checkRows(int first, int count, std::vector<Pose>& poses) {
     std::optional<Pose> from = m_measured;
     for (int row = first; row < first + count; ++row) {
         const QString number = QString::number(row + 1);
@@ -100,7 +100,7 @@ void WayPointsPanel::start(int first, int count) {
     m_table->finishEditing();
     std::vector<Pose> poses;
     if (isRunning() || m_refusal || !m_connected || !m_ready || count < 1 ||
-        !judgeRows(first, count, poses)) {
+        !checkRows(first, count, poses)) {
         return;
     }
     m_first = first;

@@ -21,7 +21,7 @@ namespace hexapose {
 
 class TextReadOut;
 
-/// A list of poses: played from the first to the last, held on the way, or taken one at a time. It is judged
+/// A list of poses: played from the first to the last, held on the path, or taken one at a time. It is judged
 /// whole before anything moves.
 class WayPointsPanel final : public QWidget {
     Q_OBJECT
@@ -68,7 +68,7 @@ private:
     void addPose(const std::optional<Pose>& pose);
     QPushButton* addButton(QHBoxLayout& row, int stretch = 1);
     void start(int first, int count);
-    bool judgeRows(int first, int count, std::vector<Pose>& poses);
+    bool checkRows(int first, int count, std::vector<Pose>& poses);
     void setPaused(bool paused);
     void followHold(const Snapshot& snapshot);
     void requestDue();

@@ -54,7 +54,7 @@ void ReportPanel::setConnected(bool connected) {
 }
 
 void ReportPanel::showSnapshot(const Snapshot& snapshot) {
-    m_hindrance = runHindrance(snapshot);
+    m_hindrance = runInhibit(snapshot);
     updateRun();
 }
 
