@@ -23,11 +23,12 @@ constexpr double kOrder = 6.0;
 constexpr double kResolution = 4e-15;
 /// Ratio of the eigenvalues of M^T M below which the root of the smallest is not accurate enough any more.
 constexpr double kLeastRatio = 3e-5;
-constexpr double kApart = 1.05;     ///< largest over smallest eigenvalue
-constexpr int kMostSteps = 32;      ///< 5 to 9 are taken
-constexpr double kDoubleRoot = 0.2; ///< (p'/p)^2 over its own slope is so near to 2
-constexpr double kCrowd = 2.5;      ///< it is more, where a root counts as near,
-constexpr double kNearRoot = 0.1;   ///< relative to the trace
+constexpr double kApart = 1.05;      ///< largest over smallest eigenvalue
+constexpr int kMostSteps = 32;       ///< 5 to 9 are taken
+constexpr double kDoubleRoot = 0.2;  ///< (p'/p)^2 over its own slope is so near to 2
+constexpr double kCrowd = 2.5;       ///< it is more, where a root counts as near,
+constexpr double kNearRoot = 1e-3;   ///< relative to the trace
+constexpr double kNextToRoot = 1e-6; ///< and what is counted is rounding where it is so near to one of two
 /// So near to a root, relative to the trace, the next step of third order ends at it.
 constexpr double kLastStep = 1e-6;
 
@@ -45,34 +46,51 @@ constexpr std::size_t at(int index) {
 /// is used; that the size is known to the compiler makes it twice as fast.
 template <int K>
 void reflect(Matrix6& a, Tridiagonal& t) {
+    constexpr int kSize = 5 - K;
+    std::array<double, kSize> x, u, p;
+    for (int i = 0; i < kSize; ++i)
+        x[at(i)] = a(K + 1 + i, K);
     double below = 0.0;
-    for (int i = K + 2; i < 6; ++i)
-        below += a(i, K) * a(i, K);
-    const double next = a(K + 1, K);
-    const double square = next * next + below;
+    for (int i = 1; i < kSize; ++i)
+        below += x[at(i)] * x[at(i)];
+    const double square = x[0] * x[0] + below;
     t.squares[K] = square;
     if (!(below > 0.0))
         return;
-    constexpr int kSize = 5 - K;
-    std::array<double, kSize> v, p;
-    v[0] = next + std::copysign(std::sqrt(square), next);
-    for (int i = 1; i < kSize; ++i)
-        v[at(i)] = a(K + 1 + i, K);
-    const double scale = 2.0 / (v[0] * v[0] + below);
-    double product = 0.0;
+    // The vector is v = x + s e_0. With s apart, most is computed while its root is.
+    const auto element = [&a](int i, int j) { return a(K + 1 + std::max(i, j), K + 1 + std::min(i, j)); };
+    double xu = 0.0;
     for (int i = 0; i < kSize; ++i) {
-        double sum = 0.0;
-        for (int j = 0; j < kSize; ++j)
-            sum += a(K + 1 + std::max(i, j), K + 1 + std::min(i, j)) * v[at(j)];
-        p[at(i)] = scale * sum;
-        product += v[at(i)] * p[at(i)];
+        u[at(i)] = element(i, 0) * x[0];
+        for (int j = 1; j < kSize; ++j)
+            u[at(i)] += element(i, j) * x[at(j)];
+        xu += u[at(i)] * x[at(i)];
     }
-    const double half = 0.5 * scale * product;
+    const double s = std::copysign(std::sqrt(square), x[0]);
+    const double scale = 1.0 / (square + x[0] * s); // 2 / (v . v)
+    const double product = xu + s * (2.0 * u[0] + s * element(0, 0));
+    const double half = 0.5 * scale * scale * product;
+    x[0] += s;
     for (int i = 0; i < kSize; ++i)
-        p[at(i)] -= half * v[at(i)];
+        p[at(i)] = scale * (u[at(i)] + s * element(i, 0)) - half * x[at(i)];
     for (int i = 0; i < kSize; ++i)
         for (int j = 0; j <= i; ++j)
-            a(K + 1 + i, K + 1 + j) -= v[at(i)] * p[at(j)] + p[at(i)] * v[at(j)];
+            a(K + 1 + i, K + 1 + j) -= x[at(i)] * p[at(j)] + p[at(i)] * x[at(j)];
+}
+
+/// The same for the last column, of two elements: a rotation, which takes no root.
+void rotateLast(Matrix6& a, Tridiagonal& t) {
+    const double c = a(4, 3), s = a(5, 3);
+    t.squares[3] = c * c + s * s;
+    if (s != 0.0) {
+        const double scale = 1.0 / t.squares[3];
+        const double cc = scale * c * c, cs = scale * c * s, ss = scale * s * s;
+        const double first = a(4, 4), last = a(5, 5), beside = a(5, 4);
+        a(4, 4) = cc * first + 2.0 * cs * beside + ss * last;
+        a(5, 5) = ss * first - 2.0 * cs * beside + cc * last;
+        a(5, 4) = (cc - ss) * beside + cs * (last - first);
+    }
+    t.squares[4] = a(5, 4) * a(5, 4);
 }
 
 Tridiagonal tridiagonal(Matrix6 a) {
@@ -80,8 +98,7 @@ Tridiagonal tridiagonal(Matrix6 a) {
     reflect<0>(a, t);
     reflect<1>(a, t);
     reflect<2>(a, t);
-    reflect<3>(a, t);
-    t.squares[4] = a(5, 4) * a(5, 4);
+    rotateLast(a, t);
     for (int i = 0; i < 6; ++i)
         t.diagonal[at(i)] = a(i, i);
     return t;
@@ -108,8 +125,8 @@ Laguerre laguerreAt(const Tridiagonal& t, const Pair& x) {
         const Pair d = sign * t.diagonal[i] - x;
         const double e = t.squares[i - 1];
         const Pair p = d * p1 - e * p2;
-        const Pair q = d * q1 + p1 - e * q2;
-        const Pair r = d * r1 + 2.0 * q1 - e * r2;
+        const Pair q = d * q1 + (p1 - e * q2); // what waits for the minor before, last
+        const Pair r = d * r1 + (2.0 * q1 - e * r2);
         p2 = p1, q2 = q1, r2 = r1;
         p1 = p, q1 = q, r1 = r;
         result.least = result.least.min(p);
@@ -144,7 +161,8 @@ std::optional<Pair> extremeEigenvalues(const Tridiagonal& t) {
         const Laguerre here = laguerreAt(t, x);
         bool known = true;
         for (int end = 0; end < 2; ++end) {
-            if (here.isCrowded[end] != 0.0 && here.single[end] < kNearRoot * sum)
+            if (here.isCrowded[end] != 0.0 && here.single[end] < kNearRoot * sum &&
+                here.single[end] > kNextToRoot * sum)
                 return std::nullopt; // its minors are lost in rounding before the root is known
             if (here.least[end] > 0.0) {
                 lower[end] = x[end] + here.single[end];

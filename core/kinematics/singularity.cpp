@@ -4,9 +4,10 @@
 
 #include "core/kinematics/extreme_singular_values.h"
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace hexapose {
@@ -15,42 +16,66 @@ namespace {
 
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-/// Laplace's expansion by the first three columns: the rows of the minor there, and of the one beside it.
-struct Term {
-    std::array<int, 3> left, right;
-    double sign;
+/// Rows of a minor of three columns: all 20, in the order in which the n-th last has the rows that the n-th
+/// has not. Their pairs of rows: all 15, in the same order.
+struct Rows3 {
+    std::size_t first, pair01, pair02, pair12, second, third;
+    double sign; ///< in Laplace's expansion of the determinant by the first three columns
 };
-constexpr std::array<Term, 20> kTerms{{
-    {{0, 1, 2}, {3, 4, 5}, 1.0},  {{0, 1, 3}, {2, 4, 5}, -1.0}, {{0, 1, 4}, {2, 3, 5}, 1.0},
-    {{0, 1, 5}, {2, 3, 4}, -1.0}, {{0, 2, 3}, {1, 4, 5}, 1.0},  {{0, 2, 4}, {1, 3, 5}, -1.0},
-    {{0, 2, 5}, {1, 3, 4}, 1.0},  {{0, 3, 4}, {1, 2, 5}, 1.0},  {{0, 3, 5}, {1, 2, 4}, -1.0},
-    {{0, 4, 5}, {1, 2, 3}, 1.0},  {{1, 2, 3}, {0, 4, 5}, -1.0}, {{1, 2, 4}, {0, 3, 5}, 1.0},
-    {{1, 2, 5}, {0, 3, 4}, -1.0}, {{1, 3, 4}, {0, 2, 5}, -1.0}, {{1, 3, 5}, {0, 2, 4}, 1.0},
-    {{1, 4, 5}, {0, 2, 3}, -1.0}, {{2, 3, 4}, {0, 1, 5}, 1.0},  {{2, 3, 5}, {0, 1, 4}, -1.0},
-    {{2, 4, 5}, {0, 1, 3}, 1.0},  {{3, 4, 5}, {0, 1, 2}, -1.0},
-}};
 
-double minorOf(const Matrix6& m, const std::array<int, 3>& rows, int column) {
-    const auto row = [&](std::size_t k) { return m.row(rows[k]).segment<3>(column); };
-    return row(0)[0] * (row(1)[1] * row(2)[2] - row(1)[2] * row(2)[1]) +
-           row(0)[1] * (row(1)[2] * row(2)[0] - row(1)[0] * row(2)[2]) +
-           row(0)[2] * (row(1)[0] * row(2)[1] - row(1)[1] * row(2)[0]);
+constexpr std::size_t pairIndex(std::size_t i, std::size_t j) {
+    return i * 5 - i * (i + 1) / 2 + j - 1;
 }
+
+constexpr std::array<Rows3, 20> kTriples = [] {
+    std::array<Rows3, 20> all{};
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < 6; ++i)
+        for (std::size_t j = i + 1; j < 6; ++j)
+            for (std::size_t k = j + 1; k < 6; ++k)
+                all[n++] = {i,
+                            pairIndex(i, j),
+                            pairIndex(i, k),
+                            pairIndex(j, k),
+                            j,
+                            k,
+                            (i + j + k) % 2 != 0 ? 1.0 : -1.0};
+    return all;
+}();
 
 } // namespace
 
 double determinantOf(const Matrix6& matrix) noexcept {
+    // The minors of the first three columns in one lane, those of the last three in the other.
+    const auto both = [&](int column, std::size_t row) {
+        const auto i = static_cast<Eigen::Index>(row);
+        return Eigen::Array2d(matrix(i, column), matrix(i, column + 3));
+    };
+    std::array<Eigen::Array2d, 6> a, b, c;
+    for (std::size_t i = 0; i < 6; ++i)
+        a[i] = both(0, i), b[i] = both(1, i), c[i] = both(2, i);
+    std::array<Eigen::Array2d, 15> pairs;
+    for (std::size_t i = 0; i < 6; ++i)
+        for (std::size_t j = i + 1; j < 6; ++j)
+            pairs[pairIndex(i, j)] = b[i] * c[j] - b[j] * c[i];
+    std::array<Eigen::Array2d, 20> minors;
+    for (std::size_t n = 0; n < 20; ++n) {
+        const Rows3& rows = kTriples[n];
+        minors[n] = a[rows.first] * pairs[rows.pair12] - a[rows.second] * pairs[rows.pair02] +
+                    a[rows.third] * pairs[rows.pair01];
+    }
     double determinant = 0.0;
-    for (const Term& term : kTerms)
-        determinant += term.sign * minorOf(matrix, term.left, 0) * minorOf(matrix, term.right, 3);
+    for (std::size_t n = 0; n < 20; ++n)
+        determinant += kTriples[n].sign * minors[n][0] * minors[19 - n][1];
     return determinant;
 }
 
 SingularityMeasure singularityOf(const Matrix6& scaledJacobian) noexcept {
-    if (!scaledJacobian.allFinite())
+    const double determinant = determinantOf(scaledJacobian); // every element is multiplied there
+    if (!std::isfinite(determinant))
         return {0.0, 0.0, std::numeric_limits<double>::infinity()};
     const ExtremeSingularValues values = extremeSingularValues(scaledJacobian);
-    return {determinantOf(scaledJacobian), values.smallest, values.largest / values.smallest};
+    return {determinant, values.smallest, values.largest / values.smallest};
 }
 
 } // namespace hexapose
