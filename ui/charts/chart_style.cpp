@@ -27,6 +27,7 @@ PlotStyle chartStyle(const ThemeColors& colors, const QWidget& widget) {
     }
     style.tickFont = style.font;
     style.pixel = 1.0 / widget.devicePixelRatioF();
+    style.labelRoom = QStringLiteral("-00");
     style.verticalGrid = true;
     return style;
 }

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kTimeTicks = 5.0;
 constexpr double kRounding = 8.0; ///< of the card's corners
-constexpr double kMargin = 6.0;
+constexpr double kMargin = 4.0;
 
 QString cursorNumber(double value, int decimals) {
     return std::isfinite(value) ? QString::fromStdString(formatFixed(value, decimals)) : QStringLiteral("--");
@@ -108,13 +108,13 @@ void TimeChart::showWindow(const ChartHistory& history, double from, double to) 
 void TimeChart::showCursor(const ChartHistory& history, std::optional<double> time) {
     std::optional<Cursor> cursor;
     if (time) {
-        QString text = cursorNumber(*time, 2) + QStringLiteral(" s   ") +
-                       cursorNumber(history.valueAt(m_subject.measured, *time), m_subject.decimals);
+        QString values = cursorNumber(history.valueAt(m_subject.measured, *time), m_subject.decimals);
         if (m_subject.target) {
-            text += QStringLiteral(" / ") +
-                    cursorNumber(history.valueAt(*m_subject.target, *time), m_subject.decimals);
+            values += QStringLiteral(" / ") +
+                      cursorNumber(history.valueAt(*m_subject.target, *time), m_subject.decimals);
         }
-        cursor = Cursor{*time, text + QLatin1Char(' ') + m_subject.unit};
+        cursor = Cursor{*time, cursorNumber(*time, 2) + QStringLiteral(" s"),
+                        values + QLatin1Char(' ') + m_subject.unit};
     }
     if (cursor != m_cursor) {
         m_cursor = std::move(cursor);
@@ -123,7 +123,7 @@ void TimeChart::showCursor(const ChartHistory& history, std::optional<double> ti
 }
 
 QRectF TimeChart::plotArea() const {
-    return QRectF(rect()).adjusted(kMargin, kMargin / 2.0, -kMargin / 2.0, -kMargin);
+    return QRectF(rect()).adjusted(kMargin, kMargin, -kMargin / 2.0, -kMargin);
 }
 
 PlotLayout TimeChart::layOut() const {
@@ -143,20 +143,26 @@ void TimeChart::paintEvent(QPaintEvent* /*event*/) {
 }
 
 void TimeChart::paintCursor(QPainter& painter, const PlotStyle& style) const {
-    if (!m_cursor || m_cursor->time < m_plot.x.low || m_cursor->time > m_plot.x.high) {
+    if (!m_cursor || m_cursor->at < m_plot.x.low || m_cursor->at > m_plot.x.high) {
         return;
     }
     const PlotScale scale = layOut().scale;
     const QRectF& frame = scale.frame;
-    const double x = style.onPixel(scale.at(m_cursor->time, 0.0).x());
+    const double x = style.onPixel(scale.at(m_cursor->at, 0.0).x());
     painter.setPen(QPen(style.label, 1.0, Qt::DotLine));
     painter.drawLine(QPointF(x, frame.top()), QPointF(x, frame.bottom()));
     const QFontMetricsF metrics(style.font, this);
-    const QSizeF size = metrics.size(0, m_cursor->text) + QSizeF(10.0, 4.0);
+    const QSizeF margins(10.0, 4.0);
+    QString text = m_cursor->time + QStringLiteral("   ") + m_cursor->values;
+    QSizeF size = metrics.size(0, text) + margins;
+    if (size.width() > frame.width()) {
+        text = m_cursor->time + QLatin1Char('\n') + m_cursor->values;
+        size = metrics.size(0, text) + margins;
+    }
     // Beside the line, on the side where there is room.
     double left = x + 5.0;
     if (left + size.width() > frame.right()) {
-        left = std::max(x - 5.0 - size.width(), std::min(frame.left(), frame.right() - size.width()));
+        left = std::max(x - 5.0 - size.width(), frame.left());
     }
     const QRectF box(QPointF(left, frame.top() + 2.0), size);
     painter.setFont(style.font);
@@ -164,7 +170,7 @@ void TimeChart::paintCursor(QPainter& painter, const PlotStyle& style) const {
     painter.setBrush(style.ground);
     painter.drawRoundedRect(box, 3.0, 3.0);
     painter.setPen(style.text);
-    painter.drawText(box, Qt::AlignCenter, m_cursor->text);
+    painter.drawText(box, Qt::AlignCenter, text);
 }
 
 void TimeChart::wheelEvent(QWheelEvent* event) {

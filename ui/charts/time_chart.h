@@ -51,8 +51,9 @@ protected:
 
 private:
     struct Cursor {
-        double time;
-        QString text;
+        double at;
+        QString time;
+        QString values;
         bool operator==(const Cursor&) const = default;
     };
 

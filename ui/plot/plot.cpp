@@ -150,7 +150,10 @@ void PlotPainter::paintAxes() {
     m_painter.setFont(m_style.tickFont);
     const double line = m_tickMetrics.height();
     for (std::size_t i = 0; i < m_layout.xTicks.values.size(); ++i) {
-        const double x = at(m_layout.xTicks.values[i], 0).x();
+        // Whole within the area, also a long one under the end of the axis.
+        const double half = m_tickMetrics.horizontalAdvance(m_layout.xTicks.labels[i]) / 2.0;
+        const double x = std::max(m_area.left() + half,
+                                  std::min(at(m_layout.xTicks.values[i], 0).x(), m_area.right() - half));
         m_painter.drawText(QRectF(x - 20 * line, m_frame.bottom() + gap(), 40 * line, line), Qt::AlignCenter,
                            m_layout.xTicks.labels[i]);
     }

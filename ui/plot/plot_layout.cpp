@@ -60,7 +60,7 @@ PlotLayout layOutPlot(const Plot& plot, const QRectF& area, const PlotStyle& sty
 
     PlotLayout layout;
     layout.yTicks = yTicksFor(plot.y, height, ticks.height());
-    double labels = ticks.horizontalAdvance(QStringLiteral("-0.00")); // plots above one another line up
+    double labels = ticks.horizontalAdvance(style.labelRoom);
     for (const QString& label : layout.yTicks.labels)
         labels = std::max(labels, ticks.horizontalAdvance(label));
     const double left = text.height() + labels + 3.0 * gap;

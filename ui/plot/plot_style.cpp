@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kTextSize = 13.0; // in units
 constexpr double kTickTextSize = 12.0;
-constexpr double kPaperColumn = 0.25; ///< in units; much less than the width of a line
+constexpr double kScreenColumn = 1.0; ///< a pixel, or several that a curve's width covers
+constexpr double kPaperColumn = 0.25; ///< may be enlarged
 
 } // namespace
 
@@ -21,7 +22,7 @@ double PlotStyle::onPixel(double position) const {
 }
 
 double PlotStyle::column() const {
-    return pixel > 0.0 ? pixel : kPaperColumn * unit;
+    return (pixel > 0.0 ? kScreenColumn : kPaperColumn) * unit;
 }
 
 PlotStyle paperStyle(double unit) {
@@ -35,6 +36,7 @@ PlotStyle paperStyle(double unit) {
     style.tickFont = paperFont(kTickTextSize * unit);
     style.titleFont = paperFont(kTextSize * unit, true);
     style.unit = unit;
+    style.labelRoom = QStringLiteral("-0.00");
     return style;
 }
 

@@ -4,6 +4,7 @@
 
 #include <QColor>
 #include <QFont>
+#include <QString>
 
 namespace hexapose {
 
@@ -19,6 +20,7 @@ struct PlotStyle {
     QFont titleFont;
     double unit = 1.0;  ///< size of everything that is neither data nor text; 1 gives lines of about 1 px
     double pixel = 0.0; ///< size of a pixel, to which frame and grid keep; 0 where there are none
+    QString labelRoom;  ///< what the numbers beside a frame have room for at least, so that plots line up
     bool verticalGrid = false;
 
     double onPixel(double position) const; ///< the middle of its pixel, where a line is sharp

@@ -140,6 +140,27 @@ TEST_F(TimeChartTest, IsPaintedWhenSomethingChangesAndNotElse) {
     EXPECT_EQ(counter.paints, 2);
 }
 
+TEST_F(TimeChartTest, TheReadOutStaysWithinTheFrame) {
+    feed(0.0, 10.0, -39.123, -30.456);
+    for (const QSize size : {QSize(420, 260), QSize(220, 150)}) {
+        chart.resize(size);
+        chart.showCursor(history, std::nullopt);
+        const QImage without = picture();
+        const PlotScale scale = chart.layOut().scale;
+        for (const double time : {0.4, 5.0, 9.6}) {
+            chart.showCursor(history, time);
+            const QImage with = picture();
+            QRect changed;
+            for (int y = 0; y < with.height(); ++y)
+                for (int x = 0; x < with.width(); ++x)
+                    if (with.pixel(x, y) != without.pixel(x, y))
+                        changed |= QRect(x, y, 1, 1);
+            EXPECT_GT(changed.width(), 20) << "something is told";
+            EXPECT_TRUE(scale.frame.adjusted(-1.0, -1.0, 1.0, 1.0).contains(changed)) << size.width();
+        }
+    }
+}
+
 TEST_F(TimeChartTest, TellsTheTimeUnderTheMouse) {
     feed(0.0, 10.0, 10.0, 30.0);
     chart.showWindow(history, kFrom, kTo);
