@@ -44,7 +44,7 @@ Columns bruteForce(const std::vector<QPointF>& points, const PlotScale& scale, d
             broken = true;
             continue;
         }
-        piece += broken && !columns.empty() ? 1 : 0;
+        piece += broken && !columns.empty() ? 1U : 0U;
         broken = false;
         const QPointF at = scale.at(point.x(), point.y());
         columns[{piece, std::floor(at.x() / column)}].add(at.y());
