@@ -94,8 +94,9 @@ TEST_F(TimeChartTest, HasTheColoursOfItsTheme) {
                 seen.insert(image.pixel(x, y));
         for (const QColor& color : {colors.text, colors.border})
             EXPECT_EQ(seen.count(color.rgb()), 1U) << qPrintable(color.name());
-        if (kind == ThemeKind::Dark)
+        if (kind == ThemeKind::Dark) {
             EXPECT_EQ(seen.count(QColor(Qt::white).rgb()), 0U) << "nothing of the paper";
+        }
     }
 }
 
