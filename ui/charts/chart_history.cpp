@@ -62,78 +62,17 @@ std::size_t ChartHistory::firstFrom(double time) const {
     return low;
 }
 
-namespace {
-
-/// Collects one unbroken piece, group by group.
-class Thinner {
-public:
-    Thinner(CurvePieces& pieces, std::size_t group) : m_pieces(pieces), m_group(group) {}
-
-    void add(const QPointF& point) {
-        if (m_pending.empty() && (m_pieces.empty() || m_broken)) {
-            m_pieces.emplace_back();
-            m_broken = false;
-        }
-        m_pending.push_back(point);
-        if (m_pending.size() >= m_group) {
-            flush();
-        }
-    }
-    void endPiece() {
-        flush();
-        m_broken = true;
-    }
-
-private:
-    void flush() {
-        if (m_pending.empty()) {
-            return;
-        }
-        auto& piece = m_pieces.back();
-        if (m_group <= 2) {
-            piece.insert(piece.end(), m_pending.begin(), m_pending.end());
-        } else {
-            const auto byY = [](const QPointF& a, const QPointF& b) { return a.y() < b.y(); };
-            auto [low, high] = std::minmax_element(m_pending.begin(), m_pending.end(), byY);
-            piece.push_back(*std::min(low, high)); // in the order of time
-            if (low != high) {
-                piece.push_back(*std::max(low, high));
-            }
-        }
-        m_pending.clear();
-    }
-
-    CurvePieces& m_pieces;
-    std::size_t m_group;
-    std::vector<QPointF> m_pending;
-    bool m_broken = true;
-};
-
-} // namespace
-
-CurvePieces ChartHistory::curve(std::size_t channel, double from, double to, std::size_t most) const {
-    // One sample beyond each border, so that the curve runs to the edge.
+std::vector<QPointF> ChartHistory::curve(std::size_t channel, double from, double to) const {
     std::size_t begin = firstFrom(from);
     std::size_t end = firstFrom(std::nextafter(to, std::numeric_limits<double>::infinity()));
     begin = begin > 0 ? begin - 1 : 0;
     end = std::min(end + 1, m_size);
-    CurvePieces pieces;
-    if (end <= begin) {
-        return pieces;
-    }
-    const std::size_t count = end - begin;
-    const std::size_t group = count <= most ? 1 : 2 * ((count + most - 1) / most);
-    Thinner thinner(pieces, group);
+    std::vector<QPointF> points;
+    points.reserve(end - begin);
     for (std::size_t i = begin; i < end; ++i) {
-        const double value = valueOf(i, channel);
-        if (std::isfinite(value)) {
-            thinner.add({timeOf(i), value});
-        } else {
-            thinner.endPiece();
-        }
+        points.emplace_back(timeOf(i), valueOf(i, channel));
     }
-    thinner.endPiece();
-    return pieces;
+    return points;
 }
 
 std::optional<std::pair<double, double>> ChartHistory::range(std::size_t channel, double from,

@@ -11,9 +11,6 @@
 
 namespace hexapose {
 
-/// Curves as they are drawn: each inner list is unbroken.
-using CurvePieces = std::vector<std::vector<QPointF>>;
-
 /// The last samples of several channels over time, in a ring. NaN is a gap in one channel. A value: copying
 /// it freezes it.
 class ChartHistory {
@@ -29,9 +26,9 @@ public:
     std::size_t size() const { return m_size; }
     double lastTime() const; ///< 0 when empty
 
-    /// One channel in a window of time, thinned to at most about `most` points, keeping the smallest and
-    /// largest of each group so that no peak is lost.
-    CurvePieces curve(std::size_t channel, double from, double to, std::size_t most = 400) const;
+    /// One channel in a window of time, and one sample beyond each border, so that the curve runs to the
+    /// edge. NaN is a gap.
+    std::vector<QPointF> curve(std::size_t channel, double from, double to) const;
     std::optional<std::pair<double, double>> range(std::size_t channel, double from, double to) const;
     /// The newest value at or before a time; NaN for none.
     double valueAt(std::size_t channel, double time) const;

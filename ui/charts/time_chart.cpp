@@ -3,139 +3,174 @@
 #include "ui/charts/time_chart.h"
 
 #include "core/base/number_text.h"
-#include "ui/charts/curve_item.h"
+#include "ui/charts/chart_style.h"
 
-#include <QChart>
-#include <QGraphicsLayout>
-#include <QLineSeries>
+#include <QFontMetricsF>
 #include <QMouseEvent>
-#include <QValueAxis>
+#include <QPainter>
 #include <QWheelEvent>
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace hexapose {
 
 namespace {
 
-constexpr double kSmallText = 0.9; // of the screen's own size
-
-QValueAxis* makeAxis(QChart& chart, QLineSeries& series, Qt::Alignment side) {
-    auto* axis = new QValueAxis;
-    axis->setTickType(QValueAxis::TicksDynamic);
-    axis->setTickAnchor(0.0);
-    chart.addAxis(axis, side);
-    series.attachAxis(axis);
-    return axis;
-}
+constexpr double kTimeTicks = 5.0;
+constexpr double kRounding = 8.0; ///< of the card's corners
+constexpr double kMargin = 4.0;
 
 QString cursorNumber(double value, int decimals) {
     return std::isfinite(value) ? QString::fromStdString(formatFixed(value, decimals)) : QStringLiteral("--");
 }
 
+std::optional<std::pair<double, double>> together(const std::optional<std::pair<double, double>>& a,
+                                                  const std::optional<std::pair<double, double>>& b) {
+    if (!a || !b) {
+        return a ? a : b;
+    }
+    return std::pair(std::min(a->first, b->first), std::max(a->second, b->second));
+}
+
+/// Bit by bit, because a gap, NaN, is like another gap.
+bool samePoints(const std::vector<QPointF>& a, const std::vector<QPointF>& b) {
+    return a.size() == b.size() &&
+           (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(QPointF)) == 0);
+}
+
+bool sameCurves(const std::vector<Plot::Series>& a, const std::vector<Plot::Series>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const Plot::Series& one, const Plot::Series& other) {
+                          return one.colour == other.colour && one.line == other.line &&
+                                 samePoints(one.points, other.points);
+                      });
+}
+
 } // namespace
 
-TimeChart::TimeChart(QWidget* parent) : QChartView(new QChart, parent) {
-    chart()->legend()->hide();
-    chart()->setMargins({0, 0, 4, 0});
-    chart()->layout()->setContentsMargins(0, 0, 0, 0);
-    chart()->setBackgroundRoundness(8.0);
-    chart()->setLocalizeNumbers(false);
-    auto* scales = new QLineSeries; // only so that the axes have something to belong to
-    chart()->addSeries(scales);
-    m_time = makeAxis(*chart(), *scales, Qt::AlignBottom);
-    m_value = makeAxis(*chart(), *scales, Qt::AlignLeft);
-    m_curves = new CurveItem(chart());
-    QFont small = font();
-    small.setPointSizeF(small.pointSizeF() * kSmallText);
-    for (QValueAxis* axis : {m_time, m_value}) {
-        axis->setLabelsFont(small);
-        axis->setTitleFont(small);
-    }
-    QFont title = font();
-    title.setBold(true);
-    chart()->setTitleFont(title);
-    setFrameShape(QFrame::NoFrame);
-    setBackgroundBrush(Qt::NoBrush);
-    setStyleSheet(QStringLiteral("background: transparent;"));
+TimeChart::TimeChart(QWidget* parent) : QWidget(parent), m_colors(themeColors(ThemeKind::Light)) {
     setMouseTracking(true);
     setMinimumSize(200, 130);
-    connect(chart(), &QChart::plotAreaChanged, this, [this](const QRectF& area) { m_curves->setArea(area); });
     setSubject({});
 }
 
-TimeChart::~TimeChart() = default;
-
 void TimeChart::setSubject(const ChartSubject& subject) {
+    const bool same = subject.measured == m_subject.measured && subject.target == m_subject.target;
     m_subject = subject;
-    m_range = {};
-    chart()->setTitle(subject.title);
-    m_value->setTitleText(subject.unit);
+    m_plot.title = subject.title;
+    m_plot.yLabel = subject.unit;
+    if (!same || m_plot.series.empty()) { // another language leaves the curves as they are
+        m_plot.y = grownRange(subject.low, subject.high, std::nullopt);
+        m_plot.series.clear();
+        m_cursor.reset();
+    }
     setAccessibleName(subject.title);
+    update();
 }
 
 void TimeChart::setTimeTitle(const QString& title) {
-    m_time->setTitleText(title);
+    m_plot.xLabel = title;
+    update();
 }
 
 void TimeChart::setColors(const ThemeColors& colors) {
-    m_measuredColor = colors.accent;
-    m_targetColor = colors.muted;
-    chart()->setBackgroundBrush(colors.surface);
-    chart()->setBackgroundPen(QPen(colors.border));
-    chart()->setTitleBrush(colors.text);
-    for (QValueAxis* axis : {m_time, m_value}) {
-        axis->setLabelsColor(colors.muted);
-        axis->setTitleBrush(colors.muted);
-        axis->setGridLinePen(QPen(colors.border, 0.0));
-        axis->setLinePen(QPen(colors.border));
+    m_colors = colors;
+    for (Plot::Series& series : m_plot.series) {
+        series.colour = series.line == Qt::SolidLine ? colors.accent : colors.muted;
     }
-    m_curves->setCursorColors(colors.muted, colors.text, colors.surface);
+    update();
 }
 
 void TimeChart::showWindow(const ChartHistory& history, double from, double to) {
     auto reach = history.range(m_subject.measured, from, to);
+    std::vector<Plot::Series> curves;
+    const auto add = [&](std::size_t channel, const QColor& colour, Qt::PenStyle line) {
+        curves.push_back({{}, colour, Plot::Marker::None, true, history.curve(channel, from, to), line});
+    };
     if (m_subject.target) {
-        if (const auto target = history.range(*m_subject.target, from, to)) {
-            reach = reach ? std::pair(std::min(reach->first, target->first),
-                                      std::max(reach->second, target->second))
-                          : *target;
-        }
+        reach = together(reach, history.range(*m_subject.target, from, to));
+        add(*m_subject.target, m_colors.muted, Qt::DashLine);
     }
-    const AxisRange range = chartRange(m_subject.low, m_subject.high, reach);
-    if (!(range == m_range)) {
-        m_range = range;
-        m_value->setTickInterval(range.tick);
-        m_value->setLabelFormat(QStringLiteral("%.%1f").arg(tickDecimals(range.tick)));
-        m_value->setRange(range.low, range.high);
+    add(m_subject.measured, m_colors.accent, Qt::SolidLine);
+    const AxisRange time{from, to, niceStep((to - from) / kTimeTicks)};
+    const AxisRange value = grownRange(m_subject.low, m_subject.high, reach);
+    if (time == m_plot.x && value == m_plot.y && sameCurves(curves, m_plot.series)) {
+        return;
     }
-    const double tick = niceStep((to - from) / 5.0);
-    m_time->setTickInterval(tick);
-    m_time->setLabelFormat(QStringLiteral("%.%1f").arg(tickDecimals(tick)));
-    m_time->setRange(from, to);
-    std::vector<CurveItem::Curve> curves;
-    if (m_subject.target) {
-        curves.push_back(
-            {history.curve(*m_subject.target, from, to), QPen(m_targetColor, 1.4, Qt::DashLine)});
-    }
-    curves.push_back({history.curve(m_subject.measured, from, to), QPen(m_measuredColor, 1.6)});
-    m_curves->setWindow(from, to, m_range);
-    m_curves->setCurves(std::move(curves));
+    m_plot.x = time;
+    m_plot.y = value;
+    m_plot.series = std::move(curves);
+    update();
 }
 
 void TimeChart::showCursor(const ChartHistory& history, std::optional<double> time) {
-    if (!time) {
-        m_curves->setCursor({});
+    std::optional<Cursor> cursor;
+    if (time) {
+        QString values = cursorNumber(history.valueAt(m_subject.measured, *time), m_subject.decimals);
+        if (m_subject.target) {
+            values += QStringLiteral(" / ") +
+                      cursorNumber(history.valueAt(*m_subject.target, *time), m_subject.decimals);
+        }
+        cursor = Cursor{*time, cursorNumber(*time, 2) + QStringLiteral(" s"),
+                        values + QLatin1Char(' ') + m_subject.unit};
+    }
+    if (cursor != m_cursor) {
+        m_cursor = std::move(cursor);
+        update();
+    }
+}
+
+QRectF TimeChart::plotArea() const {
+    return QRectF(rect()).adjusted(kMargin, kMargin, -kMargin / 2.0, -kMargin);
+}
+
+PlotLayout TimeChart::layOut() const {
+    return layOutPlot(m_plot, plotArea(), chartStyle(m_colors, *this), *this);
+}
+
+void TimeChart::paintEvent(QPaintEvent* /*event*/) {
+    const PlotStyle style = chartStyle(m_colors, *this);
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(m_colors.border, style.pixel));
+    painter.setBrush(style.ground);
+    const double half = style.pixel / 2.0;
+    painter.drawRoundedRect(QRectF(rect()).adjusted(half, half, -half, -half), kRounding, kRounding);
+    paintPlot(painter, plotArea(), m_plot, style);
+    paintCursor(painter, style);
+}
+
+void TimeChart::paintCursor(QPainter& painter, const PlotStyle& style) const {
+    if (!m_cursor || m_cursor->at < m_plot.x.low || m_cursor->at > m_plot.x.high) {
         return;
     }
-    QString text = cursorNumber(*time, 2) + QStringLiteral(" s   ") +
-                   cursorNumber(history.valueAt(m_subject.measured, *time), m_subject.decimals);
-    if (m_subject.target) {
-        text += QStringLiteral(" / ") +
-                cursorNumber(history.valueAt(*m_subject.target, *time), m_subject.decimals);
+    const PlotScale scale = layOut().scale;
+    const QRectF& frame = scale.frame;
+    const double x = style.onPixel(scale.at(m_cursor->at, 0.0).x());
+    painter.setPen(QPen(style.label, 1.0, Qt::DotLine));
+    painter.drawLine(QPointF(x, frame.top()), QPointF(x, frame.bottom()));
+    const QFontMetricsF metrics(style.font, this);
+    const QSizeF margins(10.0, 4.0);
+    QString text = m_cursor->time + QStringLiteral("   ") + m_cursor->values;
+    QSizeF size = metrics.size(0, text) + margins;
+    if (size.width() > frame.width()) {
+        text = m_cursor->time + QLatin1Char('\n') + m_cursor->values;
+        size = metrics.size(0, text) + margins;
     }
-    m_curves->setCursor(CurveItem::Cursor{*time, text + QLatin1Char(' ') + m_subject.unit});
+    // Beside the line, on the side where there is room.
+    double left = x + 5.0;
+    if (left + size.width() > frame.right()) {
+        left = std::max(x - 5.0 - size.width(), frame.left());
+    }
+    const QRectF box(QPointF(left, frame.top() + 2.0), size);
+    painter.setFont(style.font);
+    painter.setPen(QPen(style.label, style.pixel));
+    painter.setBrush(style.ground);
+    painter.drawRoundedRect(box, 3.0, 3.0);
+    painter.setPen(style.text);
+    painter.drawText(box, Qt::AlignCenter, text);
 }
 
 void TimeChart::wheelEvent(QWheelEvent* event) {
@@ -147,23 +182,18 @@ void TimeChart::wheelEvent(QWheelEvent* event) {
 }
 
 void TimeChart::mouseMoveEvent(QMouseEvent* event) {
-    const QPointF at = chart()->mapFromScene(mapToScene(event->pos()));
-    if (chart()->plotArea().contains(at)) {
-        emit cursorMoved(m_curves->timeAt(at.x()));
+    const PlotScale scale = layOut().scale;
+    if (scale.frame.contains(event->position())) {
+        emit cursorMoved(scale.xAt(event->position().x()));
     } else {
         emit cursorLeft();
     }
-    QChartView::mouseMoveEvent(event);
+    QWidget::mouseMoveEvent(event);
 }
 
 void TimeChart::leaveEvent(QEvent* event) {
     emit cursorLeft();
-    QChartView::leaveEvent(event);
-}
-
-void TimeChart::resizeEvent(QResizeEvent* event) {
-    QChartView::resizeEvent(event);
-    m_curves->setArea(chart()->plotArea());
+    QWidget::leaveEvent(event);
 }
 
 } // namespace hexapose

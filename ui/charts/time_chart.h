@@ -3,20 +3,14 @@
 #pragma once
 
 #include "ui/charts/chart_history.h"
-#include "ui/charts/chart_range.h"
 #include "ui/common/theme.h"
+#include "ui/plot/plot_layout.h"
 
-#include <QChartView>
+#include <QWidget>
 
 #include <optional>
 
-QT_BEGIN_NAMESPACE
-class QValueAxis;
-QT_END_NAMESPACE
-
 namespace hexapose {
-
-class CurveItem;
 
 /// What one chart shows: which channels of the history, under which words, and its least range.
 struct ChartSubject {
@@ -30,18 +24,19 @@ struct ChartSubject {
 };
 
 /// One quantity over time: measured solid over target dashed.
-class TimeChart final : public QChartView {
+class TimeChart final : public QWidget {
     Q_OBJECT
 public:
     explicit TimeChart(QWidget* parent = nullptr);
-    ~TimeChart() override;
     void setSubject(const ChartSubject& subject);
     const ChartSubject& subject() const { return m_subject; }
     void setColors(const ThemeColors& colors);
     void setTimeTitle(const QString& title);
     void showWindow(const ChartHistory& history, double from, double to);
     void showCursor(const ChartHistory& history, std::optional<double> time);
-    AxisRange verticalRange() const { return m_range; }
+    AxisRange verticalRange() const { return m_plot.y; }
+    const Plot& plot() const { return m_plot; }
+    PlotLayout layOut() const; ///< where the ticks and the values are on this widget
 
 signals:
     void cursorMoved(double time);
@@ -49,19 +44,26 @@ signals:
     void zoomed(double factor); ///< of the window's length
 
 protected:
+    void paintEvent(QPaintEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void leaveEvent(QEvent* event) override;
-    void resizeEvent(QResizeEvent* event) override;
 
 private:
+    struct Cursor {
+        double at;
+        QString time;
+        QString values;
+        bool operator==(const Cursor&) const = default;
+    };
+
+    QRectF plotArea() const;
+    void paintCursor(QPainter& painter, const PlotStyle& style) const;
+
     ChartSubject m_subject;
-    AxisRange m_range;
-    QColor m_measuredColor;
-    QColor m_targetColor;
-    QValueAxis* m_time;
-    QValueAxis* m_value;
-    CurveItem* m_curves;
+    Plot m_plot;
+    std::optional<Cursor> m_cursor;
+    ThemeColors m_colors;
 };
 
 } // namespace hexapose

@@ -17,7 +17,6 @@ namespace {
 constexpr double kPictureMargin = 12.0; // all sizes in units
 constexpr double kPanelGap = 14.0;
 constexpr double kLegendHeight = 30.0;
-constexpr double kLegendText = 13.0;
 constexpr double kLegendSpace = 6.0;
 constexpr double kPngScale = 2.0;
 
@@ -26,16 +25,16 @@ int rowsOf(const Picture& picture) {
 }
 
 /// One line, from the left.
-void paintLegend(QPainter& painter, QPointF corner, const Picture& picture, double unit) {
-    const QFont font = paperFont(kLegendText * unit);
-    const QFontMetricsF metrics(font, painter.device());
-    painter.setFont(font);
+void paintLegend(QPainter& painter, QPointF corner, const Picture& picture, const PlotStyle& style) {
+    const double unit = style.unit;
+    const QFontMetricsF metrics(style.font, painter.device());
+    painter.setFont(style.font);
     QPointF at = corner + QPointF(0.0, kLegendHeight / 2.0 * unit);
     for (const Plot::Series& series : picture.legend) {
-        paintSwatch(painter, series, at, unit);
+        paintSwatch(painter, series, at, style);
         at.rx() += (kSwatchWidth + kLegendSpace) * unit;
         const double width = metrics.horizontalAdvance(series.name) + kLegendSpace * unit;
-        painter.setPen(QColor(0x22, 0x22, 0x22));
+        painter.setPen(style.text);
         painter.drawText(QRectF(at.x(), at.y() - metrics.height(), width, 2.0 * metrics.height()),
                          Qt::AlignLeft | Qt::AlignVCenter, series.name);
         at.rx() += width + 2.0 * kLegendSpace * unit;
@@ -54,13 +53,14 @@ QSizeF Picture::size() const {
 void paintPicture(QPainter& painter, const QRectF& area, const Picture& picture) {
     const QSizeF natural = picture.size();
     const double unit = std::min(area.width() / natural.width(), area.height() / natural.height());
+    const PlotStyle style = paperStyle(unit);
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setRenderHint(QPainter::TextAntialiasing);
-    painter.fillRect(area, Qt::white);
+    painter.fillRect(area, style.ground);
     QPointF corner = area.topLeft() + QPointF(kPictureMargin, kPictureMargin) * unit;
     if (!picture.legend.empty()) {
-        paintLegend(painter, corner, picture, unit);
+        paintLegend(painter, corner, picture, style);
         corner.ry() += kLegendHeight * unit;
     }
     const QSizeF step = picture.panel + QSizeF(kPanelGap, kPanelGap);
@@ -68,7 +68,7 @@ void paintPicture(QPainter& painter, const QRectF& area, const Picture& picture)
         const int row = i / picture.columns, column = i % picture.columns;
         const QPointF cell(step.width() * column, step.height() * row);
         paintPlot(painter, QRectF(corner + cell * unit, picture.panel * unit),
-                  picture.plots[static_cast<std::size_t>(i)], unit);
+                  picture.plots[static_cast<std::size_t>(i)], style);
     }
     painter.restore();
 }

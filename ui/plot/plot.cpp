@@ -3,7 +3,8 @@
 
 #include "ui/plot/plot.h"
 
-#include "ui/plot/nice_ticks.h"
+#include "ui/plot/plot_curve.h"
+#include "ui/plot/plot_layout.h"
 #include "ui/plot/plot_marks.h"
 
 #include <QFontMetricsF>
@@ -16,95 +17,68 @@ namespace hexapose {
 
 namespace {
 
-const QColor kInk(0x22, 0x22, 0x22);
-const QColor kAxis(0x80, 0x80, 0x80);
-const QColor kGrid(0xD8, 0xD8, 0xD8);
-constexpr double kTextSize = 13.0; // all sizes in units
-constexpr double kTickTextSize = 12.0;
-constexpr double kGap = 6.0;
+constexpr double kAxisWidth = 1.0; // in units
+constexpr double kGridWidth = 0.7;
+constexpr double kCurveWidth = 1.5;
 
-/// One plot on its way to paper.
+/// One plot on its way to paper or to the screen.
 class PlotPainter {
 public:
-    PlotPainter(QPainter& painter, const QRectF& area, const Plot& plot, double unit);
+    PlotPainter(QPainter& painter, const QRectF& area, const Plot& plot, const PlotStyle& style);
     void paint();
 
 private:
-    void layOut();
-    QPointF at(double x, double y) const;
+    QPointF at(double x, double y) const { return m_layout.scale.at(x, y); }
     void paintNote();
     void paintBand();
     void paintGrid();
+    void paintFrame();
     void paintAxes();
     void paintTitle();
     void paintSeries(const Plot::Series& series);
     void paintLegend();
     void paintBandSwatch(QPointF left);
     double markerRadius() const;
+    double gap() const { return kPlotGap * m_style.unit; }
     QPen pen(const QColor& colour, double width) const {
-        return {colour, width * m_unit, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin};
+        return {colour, width * m_style.unit, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin};
+    }
+    /// Of frame and grid, which lie on pixels where there are some.
+    QPen rule(const QColor& colour, double width) const {
+        return m_style.pixel > 0.0 ? QPen(colour, m_style.pixel) : pen(colour, width);
+    }
+    void drawHorizontal(double y) {
+        const double level = m_style.onPixel(at(0, y).y());
+        m_painter.drawLine(QPointF(m_frame.left(), level), QPointF(m_frame.right(), level));
     }
 
     QPainter& m_painter;
     QRectF m_area;
     const Plot& m_plot;
-    double m_unit;
-    QFont m_font;
-    QFont m_tickFont;
+    const PlotStyle& m_style;
     QFontMetricsF m_metrics;
     QFontMetricsF m_tickMetrics;
-    Ticks m_xTicks;
-    Ticks m_yTicks;
+    PlotLayout m_layout;
     QRectF m_frame;
 };
 
-PlotPainter::PlotPainter(QPainter& painter, const QRectF& area, const Plot& plot, double unit)
-    : m_painter(painter), m_area(area), m_plot(plot), m_unit(unit), m_font(paperFont(kTextSize * unit)),
-      m_tickFont(paperFont(kTickTextSize * unit)), m_metrics(m_font, painter.device()),
-      m_tickMetrics(m_tickFont, painter.device()) {
-    layOut();
-}
-
-void PlotPainter::layOut() {
-    const double gap = kGap * m_unit;
-    const double top = m_metrics.height() + 1.5 * gap;
-    const double bottom =
-        m_tickMetrics.height() + 2.0 * gap + (m_plot.xLabel.isEmpty() ? 0.0 : m_metrics.height());
-    const double height = std::max(1.0, m_area.height() - top - bottom);
-    m_yTicks = niceTicks(m_plot.y.low, m_plot.y.high,
-                         std::max(2, static_cast<int>(height / (2.2 * m_tickMetrics.height()))));
-    double labels =
-        m_tickMetrics.horizontalAdvance(QStringLiteral("-0.00")); // plots above one another line up
-    for (const QString& label : m_yTicks.labels)
-        labels = std::max(labels, m_tickMetrics.horizontalAdvance(label));
-    const double left = m_metrics.height() + labels + 3.0 * gap;
-    const double width = std::max(1.0, m_area.width() - left - 2.0 * gap);
-    m_frame = QRectF(m_area.left() + left, m_area.top() + top, width, height);
-    const double xLabel = m_tickMetrics.horizontalAdvance(QString::number(m_plot.x.high, 'f', 0)) + 3.0 * gap;
-    if (m_plot.xMarks.empty())
-        m_xTicks =
-            niceTicks(m_plot.x.low, m_plot.x.high, std::max(2, static_cast<int>(width / xLabel)), true);
-    for (const Plot::Mark& mark : m_plot.xMarks) {
-        m_xTicks.values.push_back(mark.x);
-        m_xTicks.labels.push_back(mark.label);
-    }
-}
-
-QPointF PlotPainter::at(double x, double y) const {
-    const double right = (x - m_plot.x.low) / (m_plot.x.high - m_plot.x.low);
-    const double up = (y - m_plot.y.low) / (m_plot.y.high - m_plot.y.low);
-    return {m_frame.left() + right * m_frame.width(), m_frame.bottom() - up * m_frame.height()};
-}
+PlotPainter::PlotPainter(QPainter& painter, const QRectF& area, const Plot& plot, const PlotStyle& style)
+    : m_painter(painter), m_area(area), m_plot(plot), m_style(style), m_metrics(style.font, painter.device()),
+      m_tickMetrics(style.tickFont, painter.device()),
+      m_layout(layOutPlot(plot, area, style, *painter.device())), m_frame(m_layout.scale.frame) {}
 
 void PlotPainter::paint() {
     paintBand();
     paintGrid();
-    m_painter.save();
-    m_painter.setClipRect(m_frame.adjusted(-4 * m_unit, -4 * m_unit, 4 * m_unit, 4 * m_unit),
-                          Qt::IntersectClip);
-    for (const Plot::Series& series : m_plot.series)
+    for (const Plot::Series& series : m_plot.series) {
+        m_painter.save();
+        // A marker on the frame is shown whole; a curve ends there.
+        const double over = (series.marker == Plot::Marker::None ? 1.0 : 4.0) * m_style.unit;
+        m_painter.setClipRect(m_frame.adjusted(-over, -over, over, over), Qt::IntersectClip);
         paintSeries(series);
-    m_painter.restore();
+        m_painter.restore();
+    }
+    paintFrame();
     paintAxes();
     paintLegend();
     if (!m_plot.note.isEmpty())
@@ -112,13 +86,13 @@ void PlotPainter::paint() {
 }
 
 void PlotPainter::paintNote() {
-    m_painter.setFont(m_font);
-    const double margin = kGap * m_unit;
+    m_painter.setFont(m_style.font);
+    const double margin = gap();
     QRectF box(QPointF(), QSizeF(m_metrics.horizontalAdvance(m_plot.note), m_metrics.height()));
     box.moveCenter(QPointF(m_frame.center().x(), m_frame.top() + m_frame.height() / 4.0));
     box.adjust(-margin, -margin, margin, margin);
-    m_painter.fillRect(box, Qt::white);
-    m_painter.setPen(kInk);
+    m_painter.fillRect(box, m_style.ground);
+    m_painter.setPen(m_style.text);
     m_painter.drawText(box, Qt::AlignCenter, m_plot.note);
 }
 
@@ -142,43 +116,56 @@ void PlotPainter::paintBand() {
 }
 
 void PlotPainter::paintGrid() {
-    m_painter.setPen(pen(kGrid, 0.7));
-    for (const double y : m_yTicks.values)
-        m_painter.drawLine(QPointF(m_frame.left(), at(0, y).y()), QPointF(m_frame.right(), at(0, y).y()));
-    if (m_plot.y.low < 0.0 && m_plot.y.high > 0.0) {
-        m_painter.setPen(pen(kAxis, 1.0));
-        m_painter.drawLine(QPointF(m_frame.left(), at(0, 0).y()), QPointF(m_frame.right(), at(0, 0).y()));
+    m_painter.setRenderHint(QPainter::Antialiasing, m_style.pixel <= 0.0);
+    m_painter.setPen(rule(m_style.grid, kGridWidth));
+    for (const double y : m_layout.yTicks.values)
+        drawHorizontal(y);
+    for (const double x : m_layout.xTicks.values) {
+        const double column = m_style.onPixel(at(x, 0).x());
+        if (m_style.verticalGrid)
+            m_painter.drawLine(QPointF(column, m_frame.top()), QPointF(column, m_frame.bottom()));
     }
+    if (m_plot.y.low < 0.0 && m_plot.y.high > 0.0) {
+        m_painter.setPen(rule(m_style.axis, kAxisWidth));
+        drawHorizontal(0.0);
+    }
+    m_painter.setRenderHint(QPainter::Antialiasing);
+}
+
+void PlotPainter::paintFrame() {
+    m_painter.setRenderHint(QPainter::Antialiasing, m_style.pixel <= 0.0);
+    m_painter.setBrush(Qt::NoBrush);
+    m_painter.setPen(rule(m_style.axis, kAxisWidth));
+    m_painter.drawRect(m_frame);
+    for (const double x : m_layout.xTicks.values) {
+        const double column = m_style.onPixel(at(x, 0).x());
+        m_painter.drawLine(QPointF(column, m_frame.bottom()),
+                           QPointF(column, m_frame.bottom() + gap() * 0.6));
+    }
+    m_painter.setRenderHint(QPainter::Antialiasing);
 }
 
 void PlotPainter::paintAxes() {
-    const double gap = kGap * m_unit;
-    m_painter.setBrush(Qt::NoBrush);
-    m_painter.setPen(pen(kAxis, 1.0));
-    m_painter.drawRect(m_frame);
-    for (const double x : m_xTicks.values)
-        m_painter.drawLine(QPointF(at(x, 0).x(), m_frame.bottom()),
-                           QPointF(at(x, 0).x(), m_frame.bottom() + gap * 0.6));
-
-    m_painter.setPen(kInk);
-    m_painter.setFont(m_tickFont);
+    m_painter.setPen(m_style.label);
+    m_painter.setFont(m_style.tickFont);
     const double line = m_tickMetrics.height();
-    for (std::size_t i = 0; i < m_xTicks.values.size(); ++i) {
-        const double x = at(m_xTicks.values[i], 0).x();
-        m_painter.drawText(QRectF(x - 20 * line, m_frame.bottom() + gap, 40 * line, line), Qt::AlignCenter,
-                           m_xTicks.labels[i]);
+    for (std::size_t i = 0; i < m_layout.xTicks.values.size(); ++i) {
+        // Whole within the area, also a long one under the end of the axis.
+        const double half = m_tickMetrics.horizontalAdvance(m_layout.xTicks.labels[i]) / 2.0;
+        const double x = std::max(m_area.left() + half,
+                                  std::min(at(m_layout.xTicks.values[i], 0).x(), m_area.right() - half));
+        m_painter.drawText(QRectF(x - 20 * line, m_frame.bottom() + gap(), 40 * line, line), Qt::AlignCenter,
+                           m_layout.xTicks.labels[i]);
     }
-    for (std::size_t i = 0; i < m_yTicks.values.size(); ++i) {
-        const double y = at(0, m_yTicks.values[i]).y();
-        m_painter.drawText(QRectF(m_area.left(), y - line, m_frame.left() - gap - m_area.left(), 2 * line),
-                           Qt::AlignRight | Qt::AlignVCenter, m_yTicks.labels[i]);
+    for (std::size_t i = 0; i < m_layout.yTicks.values.size(); ++i) {
+        const double y = at(0, m_layout.yTicks.values[i]).y();
+        m_painter.drawText(QRectF(m_area.left(), y - line, m_frame.left() - gap() - m_area.left(), 2 * line),
+                           Qt::AlignRight | Qt::AlignVCenter, m_layout.yTicks.labels[i]);
     }
     m_painter.drawText(
-        QRectF(m_frame.left(), m_area.top(), m_frame.width(), m_frame.top() - m_area.top() - gap / 2),
-        Qt::AlignLeft | Qt::AlignBottom, timesPowerOfTen(m_yTicks.exponent));
-    paintTitle();
-
-    m_painter.setFont(m_font);
+        QRectF(m_frame.left(), m_area.top(), m_frame.width(), m_frame.top() - m_area.top() - gap() / 2),
+        Qt::AlignLeft | Qt::AlignBottom, timesPowerOfTen(m_layout.yTicks.exponent));
+    m_painter.setFont(m_style.font);
     const double text = m_metrics.height();
     m_painter.drawText(QRectF(m_frame.left(), m_area.bottom() - text, m_frame.width(), text), Qt::AlignCenter,
                        m_plot.xLabel);
@@ -188,67 +175,67 @@ void PlotPainter::paintAxes() {
     m_painter.drawText(QRectF(-m_area.height(), 0.0, 2 * m_area.height(), text), Qt::AlignCenter,
                        m_plot.yLabel);
     m_painter.restore();
+    paintTitle();
 }
 
 /// Beside the power of ten that belongs to the axis.
 void PlotPainter::paintTitle() {
-    const double power = m_tickMetrics.horizontalAdvance(timesPowerOfTen(m_yTicks.exponent));
-    const double left = power > 0.0 ? power + 2.0 * kGap * m_unit : 0.0;
-    m_painter.setFont(paperFont(kTextSize * m_unit, true));
+    const double power = m_tickMetrics.horizontalAdvance(timesPowerOfTen(m_layout.yTicks.exponent));
+    const double left = power > 0.0 ? power + 2.0 * gap() : 0.0;
+    m_painter.setFont(m_style.titleFont);
+    m_painter.setPen(m_style.text);
     m_painter.drawText(QRectF(m_frame.left() + left, m_area.top(), m_frame.width() - left,
-                              m_frame.top() - m_area.top() - kGap * m_unit / 2.0),
+                              m_frame.top() - m_area.top() - gap() / 2.0),
                        Qt::AlignLeft | Qt::AlignBottom, m_plot.title);
 }
 
 double PlotPainter::markerRadius() const {
     const double points = std::max(1.0, m_plot.x.high - m_plot.x.low);
     const double room = m_frame.width() / points;
-    return std::clamp(room * 0.3, 1.6 * m_unit, 4.0 * m_unit);
+    return std::clamp(room * 0.3, 1.6 * m_style.unit, 4.0 * m_style.unit);
 }
 
 void PlotPainter::paintSeries(const Plot::Series& series) {
-    QPolygonF run;
     const double radius = markerRadius();
-    // Lines between a great many samples would hide the samples.
-    const bool crowded = radius <= kCrowdedMarker * m_unit && series.marker != Plot::Marker::None;
-    QColor colour = series.colour;
-    colour.setAlphaF(crowded ? 0.45F : 1.0F);
-    m_painter.setPen(pen(colour, crowded ? 0.7 : 1.5));
-    m_painter.setBrush(Qt::NoBrush);
-    const auto paintRun = [&] {
-        if (series.connected && run.size() > 1)
-            m_painter.drawPolyline(run);
-        run.clear();
-    };
-    for (const QPointF& point : series.points) {
-        if (std::isfinite(point.y()))
-            run << at(point.x(), point.y());
-        else
-            paintRun();
+    const bool marked = series.marker != Plot::Marker::None;
+    if (series.connected) {
+        // Lines between a great many samples would hide the samples.
+        const bool crowded = radius <= kCrowdedMarker * m_style.unit && marked;
+        QColor colour = series.colour;
+        colour.setAlphaF(crowded ? 0.45F : 1.0F);
+        QPen line = pen(colour, crowded ? 0.7 : kCurveWidth);
+        line.setStyle(series.line);
+        if (series.line != Qt::SolidLine)
+            line.setCapStyle(Qt::FlatCap); // a round end fills the space between dashes
+        if (m_style.pixel > 0.0)
+            line.setJoinStyle(
+                Qt::BevelJoin); // round ones take twice the time, and none is larger than a pixel
+        paintCurve(m_painter, curvePieces(series.points, m_layout.scale, m_style.column()), line);
     }
-    paintRun();
+    if (!marked)
+        return;
     for (const QPointF& point : series.points)
         if (std::isfinite(point.y()))
             paintPlotMarker(m_painter, series.marker, series.colour, at(point.x(), point.y()), radius,
-                            m_unit);
+                            m_style);
 }
 
 /// From the right edge of the frame to the left, above it.
 void PlotPainter::paintLegend() {
-    m_painter.setFont(m_font);
-    const double swatch = kSwatchWidth * m_unit;
-    const double gap = kGap * m_unit;
+    m_painter.setFont(m_style.font);
+    const double swatch = kSwatchWidth * m_style.unit;
+    const double gap = this->gap();
     const double y = m_frame.top() - gap / 2 - m_metrics.height() / 2;
     double right = m_frame.right();
     const auto place = [&](const QString& name, const Plot::Series* series) {
         const double width = m_metrics.horizontalAdvance(name);
-        m_painter.setPen(kInk);
+        m_painter.setPen(m_style.text);
         m_painter.drawText(
             QRectF(right - width - gap, y - m_metrics.height(), width + gap, 2 * m_metrics.height()),
             Qt::AlignRight | Qt::AlignVCenter, name);
         right -= width + gap + swatch;
         if (series != nullptr)
-            paintSwatch(m_painter, *series, QPointF(right, y), m_unit);
+            paintSwatch(m_painter, *series, QPointF(right, y), m_style);
         else
             paintBandSwatch(QPointF(right, y));
         right -= 2.5 * gap;
@@ -262,29 +249,20 @@ void PlotPainter::paintLegend() {
 }
 
 void PlotPainter::paintBandSwatch(QPointF left) {
-    m_painter.setPen(pen(kGrid, 0.7));
+    m_painter.setPen(rule(m_style.grid, kGridWidth));
     m_painter.setBrush(m_plot.band->colour);
-    m_painter.drawRect(QRectF(left - QPointF(0, 5 * m_unit), QSizeF(kSwatchWidth * m_unit, 10 * m_unit)));
+    m_painter.drawRect(
+        QRectF(left - QPointF(0, 5 * m_style.unit), QSizeF(kSwatchWidth * m_style.unit, 10 * m_style.unit)));
 }
 
 } // namespace
 
-void paintPlot(QPainter& painter, const QRectF& area, const Plot& plot, double unit) {
+void paintPlot(QPainter& painter, const QRectF& area, const Plot& plot, const PlotStyle& style) {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setRenderHint(QPainter::TextAntialiasing);
-    PlotPainter(painter, area, plot, unit).paint();
+    PlotPainter(painter, area, plot, style).paint();
     painter.restore();
-}
-
-QFont paperFont(double pixels, bool bold) {
-    QFont font;
-    font.setFamilies(
-        {QStringLiteral("DejaVu Sans"), QStringLiteral("Noto Sans"), QStringLiteral("Liberation Sans")});
-    font.setStyleHint(QFont::SansSerif);
-    font.setPixelSize(std::max(1, static_cast<int>(std::lround(pixels))));
-    font.setBold(bold);
-    return font;
 }
 
 } // namespace hexapose

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/plot/nice_ticks.h"
+#include "ui/plot/plot_style.h"
+
 #include <QColor>
-#include <QFont>
 #include <QPainter>
 #include <QPointF>
 #include <QRectF>
@@ -14,8 +16,7 @@
 
 namespace hexapose {
 
-/// A diagram on paper: vector drawing at any size, for print and for files. The live charts are another
-/// matter.
+/// A diagram, on the screen, for print and for files: what it shows. How it looks there is a PlotStyle.
 struct Plot {
     /// Told apart by shape as well as by colour.
     enum class Marker { Circle, Square, Triangle, Cross, Ring, None };
@@ -25,6 +26,7 @@ struct Plot {
         Marker marker = Marker::Circle;
         bool connected = true;
         std::vector<QPointF> points; ///< a y that is not finite is a gap
+        Qt::PenStyle line = Qt::SolidLine;
     };
     /// Shaded steps of width 1 around whole x, from -y to y; unbounded where y is infinite.
     struct Band {
@@ -32,11 +34,6 @@ struct Plot {
         QColor colour;
         std::vector<QPointF> steps;
     };
-    struct Range {
-        double low = 0.0;
-        double high = 1.0;
-    };
-
     struct Mark {
         double x;
         QString label;
@@ -45,18 +42,14 @@ struct Plot {
     QString title; ///< above the frame on the left
     QString xLabel;
     QString yLabel;
-    Range x;
-    Range y;
-    std::vector<Mark> xMarks; ///< what the x axis shows; whole numbers where there are none
+    AxisRange x;
+    AxisRange y;
+    std::vector<Mark> xMarks; ///< what the x axis shows; where there are none, its ticks, or whole numbers
     std::optional<Band> band;
     std::vector<Series> series; ///< those without points are left out of the legend
     QString note;               ///< in the upper half, when there is nothing to draw
 };
 
-/// `unit` is the size of everything that is not data: 1 gives text of 13 px and lines of about 1 px.
-void paintPlot(QPainter& painter, const QRectF& area, const Plot& plot, double unit);
-
-/// The face of all printed text, at a size in pixels of the device.
-QFont paperFont(double pixels, bool bold = false);
+void paintPlot(QPainter& painter, const QRectF& area, const Plot& plot, const PlotStyle& style);
 
 } // namespace hexapose

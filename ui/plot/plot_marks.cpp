@@ -19,7 +19,7 @@ QPen pen(const QColor& colour, double width) {
 } // namespace
 
 void paintPlotMarker(QPainter& painter, Plot::Marker marker, const QColor& colour, QPointF centre,
-                     double radius, double unit) {
+                     double radius, const PlotStyle& style) {
     const QPointF right(radius, 0.0);
     const QPointF down(0.0, radius);
     if (marker == Plot::Marker::None)
@@ -36,8 +36,8 @@ void paintPlotMarker(QPainter& painter, Plot::Marker marker, const QColor& colou
         painter.drawEllipse(centre, kRingOverCircle * radius, kRingOverCircle * radius);
         return;
     }
-    if (radius > kCrowdedMarker * unit)
-        painter.setPen(pen(Qt::white, 0.6 * unit)); // keeps markers apart that lie on one another
+    if (radius > kCrowdedMarker * style.unit)
+        painter.setPen(pen(style.ground, 0.6 * style.unit)); // keeps markers apart that lie on one another
     else
         painter.setPen(Qt::NoPen);
     painter.setBrush(colour);
@@ -50,13 +50,16 @@ void paintPlotMarker(QPainter& painter, Plot::Marker marker, const QColor& colou
                                       centre - 1.1 * right + 0.85 * down});
 }
 
-void paintSwatch(QPainter& painter, const Plot::Series& series, QPointF left, double unit) {
-    const QPointF end(kSwatchWidth * unit, 0.0);
+void paintSwatch(QPainter& painter, const Plot::Series& series, QPointF left, const PlotStyle& style) {
+    const QPointF end(kSwatchWidth * style.unit, 0.0);
     if (series.connected) {
-        painter.setPen(pen(series.colour, 1.5 * unit));
+        QPen line = pen(series.colour, 1.5 * style.unit);
+        line.setStyle(series.line);
+        painter.setPen(line);
         painter.drawLine(left, left + end);
     }
-    paintPlotMarker(painter, series.marker, series.colour, left + 0.5 * end, kSwatchMarker * unit, unit);
+    paintPlotMarker(painter, series.marker, series.colour, left + 0.5 * end, kSwatchMarker * style.unit,
+                    style);
 }
 
 } // namespace hexapose

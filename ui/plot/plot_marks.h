@@ -12,9 +12,9 @@ inline constexpr double kCrowdedMarker = 2.5;
 inline constexpr double kSwatchWidth = 24.0;
 
 void paintPlotMarker(QPainter& painter, Plot::Marker marker, const QColor& colour, QPointF centre,
-                     double radius, double unit);
+                     double radius, const PlotStyle& style);
 
 /// What stands before the name of a series in a legend; `left` is the middle of its left edge.
-void paintSwatch(QPainter& painter, const Plot::Series& series, QPointF left, double unit);
+void paintSwatch(QPainter& painter, const Plot::Series& series, QPointF left, const PlotStyle& style);
 
 } // namespace hexapose

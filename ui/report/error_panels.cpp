@@ -40,7 +40,7 @@ const std::array<QColor, 3> kColours{QColor(0x00, 0x72, 0xB2), QColor(0xD5, 0x5E
 constexpr std::array<Plot::Marker, 3> kMarkers{Plot::Marker::Circle, Plot::Marker::Square,
                                                Plot::Marker::Triangle};
 
-Plot::Range symmetric(double errors, double band) {
+AxisRange symmetric(double errors, double band) {
     const bool showBand = errors == 0.0 || band <= kMostBandOverErrors * errors;
     double reach = showBand ? std::max(errors, band) : errors;
     // Below any length or angle that means something there is only rounding to show.
@@ -81,8 +81,8 @@ Plot makePlot(const ErrorReport& report, const Panel& panel) {
             largestBound = std::max(largestBound, bound);
     }
     plot.x = report.rows.empty()
-                 ? Plot::Range{0.5, 1.5}
-                 : Plot::Range{report.rows.front().number - 0.5, report.rows.back().number + 0.5};
+                 ? AxisRange{0.5, 1.5}
+                 : AxisRange{report.rows.front().number - 0.5, report.rows.back().number + 0.5};
     plot.y = symmetric(largestError, largestBound);
     if (report.rows.empty())
         plot.note = ReportWords::tr("No samples");
@@ -105,9 +105,10 @@ void paintErrorPanels(QPainter& painter, const QRectF& area, const ErrorReport& 
                                           : QPointF(0.0, (area.height() + kBetween * unit) / 2.0);
     const QSizeF size = beside > stacked ? QSizeF(step.x() - kBetween * unit, area.height())
                                          : QSizeF(area.width(), step.y() - kBetween * unit);
-    painter.fillRect(area, Qt::white);
-    paintPlot(painter, QRectF(area.topLeft(), size), makePlot(report, kAngles), unit);
-    paintPlot(painter, QRectF(area.topLeft() + step, size), makePlot(report, kDisplacements), unit);
+    const PlotStyle style = paperStyle(unit);
+    painter.fillRect(area, style.ground);
+    paintPlot(painter, QRectF(area.topLeft(), size), makePlot(report, kAngles), style);
+    paintPlot(painter, QRectF(area.topLeft() + step, size), makePlot(report, kDisplacements), style);
 }
 
 } // namespace hexapose

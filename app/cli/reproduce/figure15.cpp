@@ -167,7 +167,7 @@ Plot curves(const Study& study, const QString& title, const QString& unit, bool 
     plot.title = title;
     plot.xLabel = overTime ? QStringLiteral("time (s)") : QStringLiteral("evaluations of six legs");
     plot.yLabel = QStringLiteral("log₁₀ error (%1)").arg(unit);
-    plot.x = overTime ? Plot::Range{-6.2, 0.2} : Plot::Range{0.9, 4.9};
+    plot.x = overTime ? AxisRange{-6.2, 0.2} : AxisRange{0.9, 4.9};
     plot.xMarks = overTime ? decadeMarks(-6, 0) : decadeMarks(1, 4);
     for (const StepForm form : kStepForms)
         plot.series.push_back(seriesOf(form));

@@ -110,7 +110,7 @@ Picture stopDeviationPicture(const std::vector<StopMeasurement>& table) {
         });
     }
     for (Plot* plot : {&distance, &iterations}) {
-        const Plot::Range range = rangeOf(plot->series, kStopHeadroom);
+        const AxisRange range = rangeOf(plot->series, kStopHeadroom);
         const double reach = std::max(std::abs(range.low), std::abs(range.high));
         plot->y = {-reach, reach};
     }

@@ -21,7 +21,7 @@ Plot::Series seriesOf(Kind kind, bool connected) {
     return {QStringLiteral("measured, exact Jacobian"), kVermilion, Plot::Marker::Triangle, connected, {}};
 }
 
-Plot::Range rangeOf(const std::vector<Plot::Series>& series, double headroom) {
+AxisRange rangeOf(const std::vector<Plot::Series>& series, double headroom) {
     double low = HUGE_VAL, high = -HUGE_VAL;
     for (const Plot::Series& one : series)
         for (const QPointF& point : one.points)
@@ -30,7 +30,7 @@ Plot::Range rangeOf(const std::vector<Plot::Series>& series, double headroom) {
                 high = std::max(high, point.y());
             }
     const double more = std::max(headroom * (high - low), 1e-12 * std::max(std::abs(low), std::abs(high)));
-    return low <= high && more > 0.0 ? Plot::Range{low - more, high + more} : Plot::Range{-1.0, 1.0};
+    return low <= high && more > 0.0 ? AxisRange{low - more, high + more} : AxisRange{-1.0, 1.0};
 }
 
 } // namespace hexapose::reproduce

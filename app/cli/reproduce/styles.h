@@ -20,6 +20,6 @@ inline const QColor kVermilion(0xD5, 0x5E, 0x00);
 inline const QColor kGreen(0x00, 0x9E, 0x73);
 
 /// The range of all points of some series, and a part of it more on both sides.
-Plot::Range rangeOf(const std::vector<Plot::Series>& series, double headroom);
+AxisRange rangeOf(const std::vector<Plot::Series>& series, double headroom);
 
 } // namespace hexapose::reproduce
