@@ -47,14 +47,14 @@ constexpr std::size_t at(int index) {
 template <int K>
 void reflect(Matrix6& a, Tridiagonal& t) {
     constexpr int kSize = 5 - K;
-    std::array<double, kSize> x, u, p;
+    std::array<double, at(kSize)> x, u, p;
     for (int i = 0; i < kSize; ++i)
         x[at(i)] = a(K + 1 + i, K);
     double below = 0.0;
     for (int i = 1; i < kSize; ++i)
         below += x[at(i)] * x[at(i)];
     const double square = x[0] * x[0] + below;
-    t.squares[K] = square;
+    t.squares[at(K)] = square;
     if (!(below > 0.0))
         return;
     // The vector is v = x + s e_0. With s apart, most is computed while its root is.
