@@ -74,13 +74,14 @@ int experimentCommand(const QStringList& words) {
          withSolverOptions(
              {{"out", "DIR", "Directory of the text, CSV, pictures and PDF."},
               {"moves", "N", "Moves of each mode (default: 20)."},
-              {"seed", "S", "Of the targets (default: 1)."},
+              {"seed", "S", "Seed of the random targets (default: 1)."},
               {"push-mm", "P", "Push of one leg during each move (default: 2)."},
               {"push-s", "T", "Seconds that a push lasts (default: 0.6)."},
               {"no-push", "", "Push no leg."},
-              {"time-constants-ms", "T|T1,...,T6", "Of the legs (default: 50,70,90,110,130,150)."},
-              {"leg-limit-mm-s", "V", "Fastest that the legs can go (default: 100)."},
-              {"resolution-mm", "R", "Step of the reported lengths (default: 0.1)."},
+              {"time-constants-ms", "T|T1,...,T6",
+               "Time constants of the legs (default: 50,70,90,110,130,150)."},
+              {"leg-limit-mm-s", "V", "Largest speed of the legs (default: 100)."},
+              {"resolution-mm", "R", "Resolution of the reported lengths (default: 0.1)."},
               {"noise-mm", "N", "Standard deviation of the reported lengths (default: none)."}})},
         words);
     if (arguments.operand(0) != "closed-loop")

@@ -103,7 +103,7 @@ int forwardCommand(const QStringList& words) {
          {{"method", "M", "newton, newton-as-published, mpr2, mpr3, mpr2-nr, mpr3-nr (default) or fsi."},
           {"model", "FILE", "Regression model (default: the platform's own, trained on first use)."},
           {"start", "home|previous|POSE",
-           "Where iteration begins (default: home); POSE: six numbers, mm and deg."},
+           "Where the iteration or the path begins (default: home); POSE: six numbers, mm and deg."},
           {"tolerance-mm", "T", "Largest residual of a solution, mm."},
           {"max-iterations", "N", "Most Newton iterations (default: 50)."},
           {"steps", "N", "Steps of fsi (default: 1000)."},

@@ -45,7 +45,10 @@ int reportCommand(const QStringList& words) {
         {"hexapose-cli report",
          {QStringLiteral("LOG.csv")},
          withSolverOptions({{"out", "DIR", "Directory of report.pdf, errors.csv, errors.png and errors.svg."},
-                            {"resolution-mm", "R", "Resolution of the lengths (default: 0.1)."}})},
+                            {"resolution-mm", "R", "Resolution of the lengths (default: 0.1)."}}),
+         {},
+         "The platform is read from the TOML file beside the log; --platform is for a log without that "
+         "file."},
         words);
     const std::string directory = arguments.requiredText("out");
     const double resolution = metresFromMm(arguments.positive("resolution-mm", 0.1));

@@ -35,7 +35,7 @@ namespace hexapose {
 
 namespace {
 
-/// Before anything moves: an attitude that cannot be reached makes the whole list unusable.
+/// Before anything moves: a pose that cannot be reached makes the whole list unusable.
 void requireReachable(const MotionPlanner& planner, const std::vector<Pose>& targets,
                       const std::string& file) {
     for (std::size_t i = 0; i < targets.size(); ++i) {
@@ -148,11 +148,14 @@ int runCommand(const QStringList& words) {
               {"baud", "N", "Baud rate (default: 115200)."},
               {"targets", "POSES.csv", "Poses to visit, in order."},
               {"sweep", "AXIS,A,F0,F1,T",
-               "In place of targets: a sine about where it is, of A mm or deg, from F0 to F1 Hz in T s."},
+               "In place of targets: a sine about the present pose, of A mm or deg, from F0 to F1 Hz in T "
+               "s."},
               {"mode", "joint|workspace", "Leg by leg, or closed on the pose (default: joint)."},
               {"speed", "PERCENT", "Speed override, in percent of full speed (default: 100)."},
-              {"envelope-mm", "E", "No further from home along x, y, z (default: no limit)."},
-              {"envelope-deg", "E", "No further from home in alpha, beta, gamma."},
+              {"envelope-mm", "E",
+               "Refuse moves further than E mm from home along x, y or z (default: no limit)."},
+              {"envelope-deg", "E",
+               "Refuse moves further than E degrees in alpha, beta or gamma (default: no limit)."},
               {"log", "LOG.csv", "The log to write; never one that exists."},
               {"report", "DIR", "Write the error report into this directory."},
               {"clear", "", "Clear a stop or fault of the controller first."}})},

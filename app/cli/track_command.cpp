@@ -73,7 +73,9 @@ int trackCommand(const QStringList& words) {
           {"mechanism", "NAME|FILE", "Mechanism: 6-ups (default), 3-ups-s, 6-pus, 6-rus, 3-rps, or a file."},
           {"form", "open|closed|corrected", "Form of a step (default: closed)."},
           {"rates", "equations|averages",
-           "Velocity and acceleration from the equations (default), or from averages of steps."}}},
+           "Velocity and acceleration from the equations (default), or from averages of steps."}},
+         {},
+         "--platform makes the platform itself the mechanism; without it that of --mechanism is used."},
         words);
     const std::string drive = arguments.requiredText("drive");
     const fs::path directory = arguments.requiredText("out");

@@ -57,7 +57,7 @@ int trainCommand(const QStringList& words) {
           {"range-deg", "A", "Angles within +-A deg (default: from the platform)."},
           {"samples", "N", "Training poses (default: 100000)."},
           {"seed", "S", "Seed of the random poses (default: 1)."},
-          {"out", "FILE", "The model file to write; never over a file that is no model."}}},
+          {"out", "FILE", "The model file to write; never overwrites a file that is not a model."}}},
         words);
     const std::string file = arguments.requiredText("out");
     checkOut(file);

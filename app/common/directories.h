@@ -14,7 +14,7 @@ std::filesystem::path cacheDirectory();
 /// $XDG_DATA_HOME/hexapose/logs, or ~/.local/share/hexapose/logs.
 std::filesystem::path defaultLogDirectory();
 /// Finds a shipped platform file by name ("laboratory") beside the program's installation, its build tree, or
-/// returns the argument itself when it names a file. Throws InputError with the places looked in.
+/// returns the argument itself when it names a file. Throws InputError with the places searched.
 std::filesystem::path findPlatformFile(const std::string& nameOrFile);
 /// The same for a mechanism file ("6-ups").
 std::filesystem::path findMechanismFile(const std::string& nameOrFile);

@@ -25,7 +25,7 @@ Usage usage() {
          {"port", "PATH", "Connect to this serial port at once; one that is not there yet is waited for."},
          {"baud", "N", "Its baud rate (default: 115200)."},
          {"method", "M",
-          "Forward method for this once: mpr3-nr, mpr2-nr, newton, or fsi, which follows the path of "
+          "Forward method for this session: mpr3-nr, mpr2-nr, newton, or fsi, which follows the path of "
           "the legs in small steps (default: the one chosen last, at first mpr3-nr)."},
          {"envelope-mm", "E", "Refuse moves further than E mm from home along x, y or z."},
          {"envelope-deg", "E", "Refuse moves further than E degrees in alpha, beta or gamma."},

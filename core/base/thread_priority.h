@@ -20,7 +20,7 @@ struct ThreadPriority {
 
 /// For a thread that must not wait behind a busy desktop. A policy that the process was started with is kept;
 /// otherwise a low real-time priority is asked for, and a negative nice value where that is not permitted.
-/// Threads that the calling one starts later inherit what it got. Returns what the system then says.
+/// Threads that the calling one starts later inherit what it got. Returns what the system then reports.
 ThreadPriority raiseThreadPriority();
 
 /// For a helper that a raised thread starts, and that must not compete with it: as an ordinary thread.

@@ -42,7 +42,7 @@ private:
     const std::string& m_source;
 };
 
-/// "text", "an integer", ...: for messages that tell what was found in place of what was expected.
+/// "text", "an integer", ...: for messages that name what was found in place of what was expected.
 std::string tomlTypeName(const toml::node& node);
 
 } // namespace hexapose

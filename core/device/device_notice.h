@@ -12,7 +12,7 @@ namespace hexapose {
 
 /// Something that happened on the wire.
 namespace notice {
-/// The controller said who it is.
+/// The controller has identified itself.
 struct Identified {
     std::string name;
 };

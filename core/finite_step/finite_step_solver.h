@@ -15,11 +15,11 @@ struct FiniteStepOptions {
 };
 
 /// Finite-step integration as a forward solver ("fsi"; Front. Mech. Eng. 2025, 20(1):7): goes from `start` to
-/// the lengths along the straight path of the legs. Its pose is connected to `start`, which no solver can say
-/// that only looks at lengths.
+/// the lengths along the straight path of the legs. Its pose is connected to `start`, which no solver can
+/// guarantee that only uses lengths.
 ///
-/// Converged: the path was followed to its end, and the residual is within the tolerance; how near the pose
-/// is is said by the residual, for the method does not iterate. IterationLimit: more steps are needed.
+/// Converged: the path was followed to its end, and the residual is within the tolerance; the residual
+/// shows how near the pose is, as the method does not iterate. IterationLimit: more steps are needed.
 /// Singular: the path meets a singular pose; the pose is the last one reached, the residual what is left to
 /// go. NoSolution: the lengths break a triangle inequality. Iterations are steps.
 class FiniteStepSolver final : public ForwardSolver {

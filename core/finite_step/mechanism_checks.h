@@ -16,7 +16,7 @@ std::string carriageFault(const Mechanism& mechanism, const MechanismPoint& poin
 std::string actuatorFault(const Mechanism& mechanism, const Actuator& actuator);
 /// A distance of 0, or a circle whose centre is not the mean of its points.
 std::string constraintFault(const Mechanism& mechanism, const Constraint& constraint);
-/// Nodes that do not tell how the output is turned.
+/// Nodes that do not determine the orientation of the output.
 std::string outputFault(const Mechanism& mechanism);
 
 } // namespace hexapose

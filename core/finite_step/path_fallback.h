@@ -26,17 +26,17 @@ struct PathFallbackOptions {
 /// pose is followed while the legs go straight from their lengths at `start` to those asked for. Not sure is
 /// - a usable pose so far from `start` that the legs, which hardly moved, cannot have led there;
 /// - OtherBranch: a pose of these lengths, by no known path joined to home or `start`;
-/// - Singular: a pose of these lengths that they do not tell from its neighbours;
+/// - Singular: a pose that these lengths do not distinguish from its neighbours;
 /// - IterationLimit.
 /// Not NoSolution: nothing was found from anywhere, and a path would end before a pose that is not there.
 ///
 /// A pose from the path is Converged: the path was gone to its end, by the stop rule (stop_rule.h) with q > 0
 /// all along, and the pose has these lengths to the tolerance. Where the path stops, or `start` is on the
-/// other side itself, the solver's answer stands, but a far pose becomes OtherBranch; answer() tells where it
-/// stopped. Iterations are the solver's, the steps, and the corrections at the end.
+/// other side itself, the solver's answer stands, but a far pose becomes OtherBranch; answer() reports where
+/// it stopped. Iterations are the solver's, the steps, and the corrections at the end.
 class PathFallback final : public ForwardSolver {
 public:
-    /// What was found, and by which way.
+    /// What was found, and how.
     struct Answer {
         ForwardResult result;
         std::optional<PathResult> path; ///< nothing: the solver was sure

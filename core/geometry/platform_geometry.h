@@ -46,7 +46,7 @@ struct GeometryFault {
     std::string key;  ///< "min_mm", ... as in the platform file
     std::string text; ///< the sentence of validate()
 };
-/// What validate() says, each with its place. Throws nothing.
+/// What validate() reports, each with its place. Throws nothing.
 std::vector<GeometryFault> findFaults(const PlatformGeometry& geometry);
 
 /// Everything wrong with a geometry, one sentence each with leg, value and bound, in mm ("leg 3: min_mm 350

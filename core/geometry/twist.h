@@ -16,7 +16,7 @@ using Twist = Eigen::Matrix<double, 6, 1>;
 /// The rotation about `vector`'s direction by its length, 3x3 (Rodrigues).
 Eigen::Matrix3d rotationOf(const Eigen::Vector3d& vector);
 
-/// The displacement that leads from one pose to another the shortest way: straight in position, and about one
+/// The shortest displacement that leads from one pose to another: straight in position, and about one
 /// axis fixed in the base frame by at most pi. displaced(from, displacement(from, to)) is `to`.
 Twist displacement(const Pose& from, const Pose& to);
 

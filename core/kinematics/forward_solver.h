@@ -22,11 +22,11 @@ enum class SolveStatus {
     OtherBranch,    ///< a pose of these lengths, but of another assembly mode than home's
 };
 
-/// "converged", "iteration-limit", ... as in the command line's contract; the way back knows no other words.
+/// "converged", "iteration-limit", ... as in the command line's contract; the inverse accepts no other words.
 std::string_view toWord(SolveStatus status);
 std::optional<SolveStatus> solveStatusFromWord(std::string_view word);
 
-/// What a forward solution says. pose: angles in the ranges of eulerAngles(); NaN where there is none.
+/// The result of a forward solution. pose: angles in the ranges of eulerAngles(); NaN where there is none.
 /// residual: Euclidean norm of the six leg errors at `pose` (Eq. 3), metres; NaN where nothing was computed.
 struct ForwardResult {
     Pose pose;

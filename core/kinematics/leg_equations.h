@@ -61,7 +61,7 @@ public:
     /// How much, at most, the Frobenius norm of the Jacobian changes over a step of this norm.
     double jacobianChange(const Evaluation& at, double stepNorm) const noexcept;
 
-    /// Sign of the Jacobian's determinant, which tells the side of the singular surface; 0 where the smallest
+    /// Sign of the Jacobian's determinant, which gives the side of the singular surface; 0 where the smallest
     /// singular value is below the floor.
     double branchSign(const Evaluation& at, double singularValueFloor) const noexcept;
 

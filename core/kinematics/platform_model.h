@@ -33,7 +33,7 @@ public:
     double size() const noexcept { return m_equations.size(); }
     /// Lever arm of the rotation, m: root mean square of |p_PB_P|.
     double jointRadius() const noexcept { return m_jointRadius; }
-    /// Determinant of the scaled Jacobian at home (no unit), whose sign tells the side of the singular poses;
+    /// Determinant of the scaled Jacobian at home (no unit), whose sign gives the side of the singular poses;
     /// 0 for a machine that is singular there, see kSingularValueFloor.
     double homeDeterminant() const noexcept { return m_homeDeterminant; }
     /// What a regression model depends on, see PlatformGeometry.
@@ -56,7 +56,7 @@ public:
     /// q, the determinant of the scaled Jacobian over that at home: 1 at home, 0 where the side is left; NaN
     /// for a machine that is singular at home.
     double determinantRatio(const Pose& pose) const noexcept;
-    /// The same from the determinant that singularity() tells.
+    /// The same from the determinant that singularity() returns.
     double ratioOf(double determinant) const noexcept;
 
 private:

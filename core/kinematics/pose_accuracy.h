@@ -15,7 +15,8 @@ struct RoundingEffect {
 };
 RoundingEffect roundingEffect(const PlatformGeometry& geometry, const Pose& pose, double resolution);
 
-/// How far the exact pose of the lengths can be from a computed one, and how well the lengths tell it at all.
+/// How far the exact pose of the lengths can be from a computed one, and how well the lengths determine it at
+/// all.
 struct PoseAccuracy {
     double smallestSingularValue = 0.0; ///< of the scaled Jacobian, see singularity.h
     double condition = 0.0;             ///< largest over smallest singular value

@@ -19,7 +19,7 @@ struct SingularityMeasure {
 };
 
 /// Smallest singular value below which a pose counts as singular: there a leg error is magnified ten thousand
-/// times, and the lengths no longer tell the pose.
+/// times, and the lengths no longer determine the pose.
 inline constexpr double kSingularValueFloor = 1e-4;
 
 /// From the scaled Jacobian. Where that is not finite: zeros, and an infinite condition. Takes 0.5 us.

@@ -28,7 +28,7 @@ inline ForwardResult failure(SolveStatus status, int iterations, double residual
     return result;
 }
 
-/// What the sign of the Jacobian's determinant at a converged pose (0: singular there) says beside home's.
+/// What the sign of the Jacobian's determinant at a converged pose (0: singular there) means beside home's.
 inline SolveStatus branchStatus(double sign, double homeDeterminant) noexcept {
     if (sign == 0.0)
         return SolveStatus::Singular;

@@ -36,7 +36,7 @@ public:
     void post(const OperatorCommand& command);
     void cycle();
     /// Before the port is closed: whatever moves is stopped, and where anything was enabled Stop and Disable
-    /// are sent, whatever the controller says of its state. Returns when the drives are off, or says in a
+    /// are sent, whatever state the controller reports. Returns when the drives are off, or says in a
     /// last Snapshot that they may not be. Never starts anything, and never clears: that is a person's
     /// decision.
     void shutDown();

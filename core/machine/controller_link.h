@@ -30,9 +30,9 @@ public:
 
     struct StateReport {
         ControllerState before, after; ///< Unknown while there is no controller that accepts commands
-        bool isNews;                   ///< false: an old word, which says nothing of what was asked since
+        bool isNews;                   ///< false: an old report, which does not reflect the requests since
     };
-    /// What the controller says of its state now, against the last call.
+    /// The state that the controller reports now, compared with the last call.
     StateReport takeStateReport();
     ControllerState state() const { return m_state; } ///< as of the last report
 

@@ -16,7 +16,7 @@
 namespace hexapose {
 
 /// The motion that was asked for: its plan, its preparation, its set-points, its end; and the set-point that
-/// is held at rest. Knows no device and no table: the supervisor says when.
+/// is held at rest. Knows no device and no table: the supervisor decides when.
 class MotionRunner {
 public:
     using Clock = std::chrono::steady_clock;

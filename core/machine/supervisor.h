@@ -50,7 +50,7 @@ public:
     void endMotion();
 
 private:
-    // What the table says about an event; the state follows and its action is carried out.
+    // What the table prescribes for an event; the state follows and its action is carried out.
     bool apply(MachineEvent event);
     void execute(MachineAction action);
     bool mayCommand(Command command) const;

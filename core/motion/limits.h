@@ -36,7 +36,7 @@ struct MotionLimits {
     bool operator==(const MotionLimits&) const = default;
 };
 
-/// Strokes of the platform, narrowed by what the controller says of itself.
+/// Strokes of the platform, narrowed by the limits that the controller reports.
 MotionLimits motionLimits(const PlatformGeometry& geometry, std::optional<double> controllerMin,
                           std::optional<double> controllerMax);
 

@@ -17,7 +17,7 @@ struct PathBounds {
     double jerk = 0.0;
 };
 
-/// The fastest way in time from s = 0 to s = 1, from rest to rest, under limits of rate, acceleration and
+/// The fastest timing from s = 0 to s = 1, from rest to rest, under limits of rate, acceleration and
 /// jerk and a rate limit that depends on s. Where that limit is nowhere below the other one it is the
 /// seven-piece profile. Elsewhere it takes at every instant the largest jerk after which the hardest braking
 /// still keeps every limit, in some thousand steps at most: on a path that takes hundreds of times as long as

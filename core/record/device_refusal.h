@@ -29,7 +29,7 @@ enum class RefusalReason {
     Format,            ///< the controller: it could not read the request
     Other,             ///< the controller, for a reason of its own
     NotConnected,      ///< the host: there is no controller that accepts commands
-    StopUnconfirmed,   ///< the host: a stop is on its way and not confirmed
+    StopUnconfirmed,   ///< the host: a stop was sent and is not confirmed
     LengthNotPositive, ///< the host: a length that cannot be sent
     ProtocolVersion,   ///< the host: the controller speaks another protocol version
     LegCount,          ///< the host: the controller has another number of legs
@@ -41,7 +41,7 @@ struct DeviceRefusal {
     DeviceRequest request = DeviceRequest::Other;
     RefusalReason reason = RefusalReason::Other;
     std::string text = {}; ///< the controller's own words, its code first; empty where the host refused
-    long long number = 0;  ///< of ProtocolVersion and LegCount: what the controller said
+    long long number = 0;  ///< of ProtocolVersion and LegCount: what the controller sent
     bool operator==(const DeviceRefusal&) const = default;
 };
 

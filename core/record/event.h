@@ -24,7 +24,7 @@ enum class EventCode {
     LinkLost,    ///< [PortFailure]
     DataStale,   ///< [double: ms without a valid measurement]
     DataFresh,   ///< measurements are back
-    Referencing, ///< reference asked for
+    Referencing, ///< referencing requested
     Referenced,
     Enabled,
     Disabled,
@@ -32,7 +32,7 @@ enum class EventCode {
     MoveRefused,         ///< [MotionCheck, MotionInhibit or SweepFault]
     Settled,             ///< [double: s since the move started]
     NotSettled,          ///< [double: s waited]
-    StopRequested,       ///< [Command::Disable when that was what asked for it]
+    StopRequested,       ///< [Command::Disable when that requested it]
     StoppedByController, ///< [ControllerState]
     StoppedOnStaleData,
     StoppedOnSolver,  ///< [SolveStatus]
@@ -64,7 +64,7 @@ struct DeviceText {
     bool operator==(const DeviceText&) const = default;
 };
 
-/// Why nothing can move now, whatever is asked for.
+/// Why nothing can move now, whatever is commanded.
 struct MotionInhibit {
     std::optional<SolveStatus> solver; ///< the lengths gave no usable pose; empty: the data is stale
     bool operator==(const MotionInhibit&) const = default;
@@ -98,7 +98,7 @@ struct PreparationFailure {
     bool operator==(const PreparationFailure&) const = default;
 };
 
-/// What a controller says of itself.
+/// How a controller identifies itself.
 struct ControllerIdentity {
     std::string name;
     std::optional<double> minLength, maxLength; ///< m
@@ -137,7 +137,7 @@ struct Event {
     double value() const { return get<double>() ? *get<double>() : 0.0; }
 };
 
-/// Whether something ended a motion, or the work, that nobody had asked for.
+/// Whether something ended a motion, or the work, that nobody had commanded.
 bool isFault(EventCode code);
 
 } // namespace hexapose

@@ -19,7 +19,7 @@ std::optional<EventCode> eventCodeFromWord(std::string_view word);
 std::string payloadWords(const Event& event);
 /// The word of the code, then the payload: "settled 1.25", "move-refused leg 3 above max_mm".
 std::string formatEvent(const Event& event);
-/// The way back; nothing when the text does not begin with a known word. A payload that is not of the code's
+/// The inverse; nothing when the text does not begin with a known word. A payload that is not of the code's
 /// form is kept as DeviceText.
 std::optional<Event> parseEvent(std::string_view text);
 

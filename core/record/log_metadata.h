@@ -20,7 +20,7 @@ struct LogMetadata {
     std::string port; ///< "virtual" or a path
 };
 
-/// The file beside a log that says what it belongs to: run.csv -> run.toml.
+/// The file beside a log that records what it belongs to: run.csv -> run.toml.
 std::filesystem::path logMetadataFile(const std::filesystem::path& csvFile);
 /// Its text; the platform stands under [platform] as in a platform file.
 std::string formatLogMetadata(const LogMetadata& metadata, std::chrono::system_clock::time_point start);

@@ -17,7 +17,7 @@ namespace hexapose {
 /// Writes one CSV a session from a thread of its own, handed to the system at least every 100 ms. Opening
 /// throws InputError (an existing file is never overwritten: "run.csv: exists already"); later write errors
 /// do not throw, failure() reports them. Writing is tried again until it works; meanwhile rows wait in a
-/// queue of fixed size, and those that find it full are lost and counted. The log itself says so: an event
+/// queue of fixed size, and those that find it full are lost and counted. The log itself reports it: an event
 /// log-failed in the last row before the gap. When something ends a motion unasked (isFault) the last 500
 /// cycles, rows or not, are kept in a file of their own beside the log: "run-fault-1.csv".
 class LogWriter {

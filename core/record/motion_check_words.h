@@ -15,7 +15,7 @@ namespace hexapose {
 /// below min_mm", "invalid-input", "near singular", "other branch", "path near singular at 63 %", "alpha
 /// outside the envelope", "leg 4 too fast at 12 %".
 std::string toWords(const MotionCheck& check);
-/// What those words tell: value and bound are NaN, the fraction is in whole per cent.
+/// What can be read from those words: value and bound are NaN, the fraction is in whole per cent.
 std::optional<MotionCheck> motionCheckFromWords(std::string_view words);
 
 /// "sweep: the amplitude is not above zero".

@@ -6,7 +6,7 @@
 
 namespace hexapose {
 
-/// Tells one commanded motion from another. Whoever commands it chooses the number; 0 is nobody's.
+/// Distinguishes one commanded motion from another. Whoever commands it chooses the number; 0 is nobody's.
 using MotionId = std::uint64_t;
 inline constexpr MotionId kNoMotion = 0;
 

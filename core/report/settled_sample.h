@@ -11,7 +11,7 @@
 
 namespace hexapose {
 
-/// One settled attitude: where the platform was sent, and the lengths it reported, averaged.
+/// One settled pose: where the platform was sent, and the lengths it reported, averaged.
 struct SettledSample {
     Pose target;
     LegLengths meanLengths = LegLengths::Zero(); ///< m
@@ -19,7 +19,7 @@ struct SettledSample {
     std::chrono::nanoseconds start{0};           ///< session time of the first
 };
 
-/// Finds settled attitudes in a stream of snapshots, live or read from a log: after a move (state moving or
+/// Finds settled poses in a stream of snapshots, live or read from a log: after a move (state moving or
 /// settling) the first `window` of fresh measurements in state enabled with the same goal are averaged. When
 /// the platform is sent on, or leaves that state, before the window is over, half of it is enough.
 class SettledSampler {

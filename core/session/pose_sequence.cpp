@@ -36,7 +36,7 @@ std::optional<Pose> PoseSequence::ask(const Snapshot& snapshot) {
     return m_targets[m_finished];
 }
 
-/// Whether the attitude will not be reached after this.
+/// Whether the pose will not be reached after this.
 bool PoseSequence::endsTheRun(const Event& event) const {
     switch (event.code) {
     case EventCode::NotSettled:

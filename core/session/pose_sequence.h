@@ -15,7 +15,7 @@ namespace hexapose {
 /// averages, by some feedback periods.
 inline constexpr std::chrono::milliseconds kSampleDwell{1200};
 
-/// Visits a list of attitudes: the next Run is due when the one before has settled and stood for `dwell`. It
+/// Visits a list of poses: the next Run is due when the one before has settled and stood for `dwell`. It
 /// ends early when its own Run is refused or does not come about, when the machine stops, and when another
 /// motion was accepted; a command of somebody else that is refused changes nothing. Fed with snapshots; pure,
 /// so the console and the command line share it.
@@ -29,7 +29,7 @@ public:
     Phase phase() const { return m_phase; }
     MotionId id() const { return m_firstId + m_finished; } ///< of the present Run
     std::size_t accepted() const { return m_accepted; }    ///< Runs that the loop took
-    std::size_t finished() const { return m_finished; }    ///< attitudes done
+    std::size_t finished() const { return m_finished; }    ///< poses done
     std::size_t count() const { return m_targets.size(); }
     /// Why it failed: the event that ended it.
     const std::optional<Event>& failure() const { return m_failure; }

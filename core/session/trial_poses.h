@@ -12,7 +12,7 @@ namespace hexapose {
 
 /// For a trial of any platform: the pose of the published test, or another where the platform cannot go
 /// there, and after it `more` poses, always the same. All of them can be reached from home. Throws
-/// InputError, which says why, for a platform that can reach none.
+/// InputError, with the cause, for a platform that can reach none.
 std::vector<Pose> trialPoses(const PlatformGeometry& geometry, const PoseEnvelope& envelope, int more);
 
 } // namespace hexapose

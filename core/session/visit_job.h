@@ -32,8 +32,8 @@ struct VisitFailure {
 };
 
 /// The operator's main job without an operator: connect, reference, enable, visit a list of poses, take a
-/// sample of each. Fed with every snapshot of a session; it says what to post. Pure, so that the command line
-/// and the console share it.
+/// sample of each. Fed with every snapshot of a session; it returns what to post. Pure, so that the command
+/// line and the console share it.
 class VisitJob {
 public:
     struct Options {
@@ -80,8 +80,8 @@ private:
 /// Hands the job all that the reader has, and the session all that the job asks for.
 void advance(VisitJob& job, SnapshotReader& reader, Session& session);
 
-/// From an open session to a closed one: until the job is over or `interrupted` says so; then the platform is
-/// stopped and disabled, whatever the reason.
+/// From an open session to a closed one: until the job is over or `interrupted` returns true; then the
+/// platform is stopped and disabled, whatever the reason.
 void runToTheEnd(VisitJob& job, Session& session, const std::function<bool()>& interrupted);
 
 } // namespace hexapose

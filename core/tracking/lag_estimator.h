@@ -9,7 +9,8 @@
 namespace hexapose {
 
 /// How long each leg lags behind its set-point: the time T in set-point - length = T * rate + offset, found
-/// by least squares over the recent motion, with the wire's delay in it. Legs that stand tell nothing. Pure.
+/// by least squares over the recent motion, with the wire's delay in it. Legs that stand still give no
+/// information. Pure.
 class LegLagEstimator {
 public:
     /// The set-point that was in force, and the length measured at the end of it; seconds since the one

@@ -37,7 +37,7 @@ public:
     virtual double duration() const = 0; ///< planned, at full speed, s
     /// It should go on, and has hardly done so for a second.
     virtual bool stalls() const { return false; }
-    /// Something to tell since the last call.
+    /// An event since the last call, to be reported.
     virtual std::optional<Event> takeEvent() { return std::nullopt; }
 };
 

@@ -14,7 +14,7 @@ namespace hexapose {
 struct LineDeviceOptions {
     std::chrono::milliseconds desiredPeriod{10}; ///< of the feedback; asked for once the controller is known
     std::chrono::milliseconds longestWait{15};   ///< of one exchange for a measurement
-    std::chrono::milliseconds helloEvery{400};   ///< until the controller says who it is
+    std::chrono::milliseconds helloEvery{400};   ///< until the controller identifies itself
     std::chrono::milliseconds aliveEvery{
         100}; ///< asked again, while enabled drives may not have set-points yet
     std::chrono::milliseconds answerWithin{1000}; ///< then the answer is missed

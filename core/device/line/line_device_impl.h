@@ -63,7 +63,7 @@ struct LineDevice::Impl {
     Time lastHeard; ///< last good frame or line
     Time lastByte;
     bool identified = false;
-    bool awaitsEnabled = false; ///< ENABLE was taken; set-points wait for the measurement that says so
+    bool awaitsEnabled = false; ///< ENABLE was taken; set-points wait for the measurement that reports it
     bool periodRefused = false;
     int periodTries = 0; ///< left
     std::uint16_t nextSetNumber = 0;

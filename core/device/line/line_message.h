@@ -43,7 +43,7 @@ struct Ident {
 /// An IDENT of a protocol version or leg count that nothing here speaks.
 struct UnsupportedIdent {
     RefusalReason reason = RefusalReason::ProtocolVersion; ///< LegCount or IdentityFields
-    long long number = 0;                                  ///< what it said instead
+    long long number = 0;                                  ///< what it sent instead
 };
 struct Len {
     std::uint16_t number = 0;

@@ -37,7 +37,7 @@ private:
     std::vector<Pending> m_pending;
 };
 
-/// A request on its way that must arrive: repeated until the controller confirms it.
+/// A pending request that must arrive: repeated until the controller confirms it.
 class Repeater {
 public:
     using Time = std::chrono::steady_clock::time_point;

@@ -12,7 +12,7 @@ struct SerialPortInfo {
     std::string path; ///< "/dev/ttyUSB0"
     std::string description;
     std::string manufacturer;
-    std::string serialNumber; ///< tells two adapters of one kind apart when the path changes
+    std::string serialNumber; ///< distinguishes two adapters of one kind when the path changes
 };
 
 /// Those there are now, by path.

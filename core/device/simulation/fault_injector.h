@@ -27,7 +27,7 @@ struct FaultSpec {
 /// after seconds, noise in mm. Throws InputError that names the piece.
 FaultSpec parseFaultSpec(std::string_view spec);
 
-/// Spoils frames on their way out, the same way each time for a seed.
+/// Corrupts outgoing frames, identically each time for a seed.
 class FaultInjector {
 public:
     explicit FaultInjector(const FaultSpec& spec) : m_spec(spec), m_random(spec.seed) {}

@@ -23,7 +23,7 @@ public:
     PlatformDevice& device();
     std::function<std::chrono::steady_clock::time_point()> clock() const;
     LegLengths trueLengths() const; ///< m, neither rounded nor late
-    /// A leg gives way under a load: it ends so far beside its set-point, as slowly as it follows one. m; 0
+    /// A leg yields under a load: it ends so far beside its set-point, as slowly as it follows one. m; 0
     /// takes the load away. Legs are counted from 0.
     void push(int leg, double offset);
 

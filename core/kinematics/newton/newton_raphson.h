@@ -25,9 +25,9 @@ double defaultTolerance(const PlatformGeometry& geometry);
 /// unit; where they go astray, steps that are shortened when they make the residual worse; where those end on
 /// another side, the pose followed along the straight path of the legs.
 ///
-/// Converged says that the Jacobian's determinant has home's sign and that the pose is joined to home (or to
+/// Converged means that the Jacobian's determinant has home's sign and that the pose is joined to home (or to
 /// a `start` on home's side) by a path on which it keeps it: the straight one, or that of the legs. A pose of
-/// these lengths of which that cannot be said is OtherBranch. Others: IterationLimit; Singular when the
+/// these lengths for which that does not hold is OtherBranch. Others: IterationLimit; Singular when the
 /// Jacobian cannot be inverted at the pose found or at home; NoSolution when the lengths break a triangle
 /// inequality, or the residual stays at a positive minimum from `start` and no pose was reached from home and
 /// thirty places about it; InvalidInput. The pose is NaN where the status has none. Iterations are those of
@@ -39,7 +39,7 @@ public:
     NewtonRaphson(const PlatformGeometry& geometry, const NewtonOptions& options)
         : NewtonRaphson(makeModel(geometry), options) {}
     ForwardResult solve(const LegLengths& lengths, const Pose& start) const noexcept override;
-    /// The same, and the residual at `start`, m, which the first step finds by the way: to some per cent
+    /// The same, and the residual at `start`, m, which the first step computes anyway: to some per cent
     /// where it is a tenth of the lengths, and no less than half of it anywhere. Infinity where no step was
     /// taken.
     ForwardResult solve(const LegLengths& lengths, const Pose& start, double& startResidual) const noexcept;

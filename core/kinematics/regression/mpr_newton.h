@@ -29,7 +29,7 @@ private:
 
 /// MPR-NR (section 2.6): regression (Eq. 16), then Newton-Raphson with the exact derivative where the
 /// regression does not already meet the tolerance. Outside the model's range Newton starts from `start` and
-/// the status says OutsideModel. The other statuses are those of NewtonRaphson.
+/// the status is OutsideModel. The other statuses are those of NewtonRaphson.
 class MprNewton final : public ForwardSolver {
 public:
     /// The model as in PolynomialRegression.

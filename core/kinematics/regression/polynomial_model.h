@@ -59,7 +59,7 @@ struct PolynomialModel {
 /// FNV-1a over a specification, 16 hex digits.
 std::string specFingerprint(const TrainingSpec& spec);
 
-/// The range a model is trained on when nobody says otherwise: +-40 mm and +-40 deg for the laboratory
+/// The range a model is trained on by default: +-40 mm and +-40 deg for the laboratory
 /// platform, the displacement in proportion to the machine's size, and both halved until no sampled pose is
 /// singular or past a singularity. Throws InputError for a geometry that is singular at home or too close to
 /// it. The degree is not checked here but by trainModel().
