@@ -162,6 +162,8 @@ int runCommand(const QStringList& words) {
         words);
     const std::string port = arguments.requiredText("port");
     const std::optional<SweepSettings> sweep = sweepOf(arguments);
+    if (!sweep && !arguments.has("targets"))
+        throw InputError("hexapose-cli run", "missing --targets (or --sweep)");
     const std::string targetsFile = sweep ? std::string() : arguments.requiredText("targets");
     const std::string logFile = arguments.requiredText("log");
     const std::string modeWord = arguments.text("mode", "joint");
