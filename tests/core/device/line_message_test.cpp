@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace hexapose::line {
@@ -35,6 +36,22 @@ TEST(Messages, SurviveTheWire) {
     const LineMessage read = parsePayload(payloadOf(toHost[0]), Side::Host);
     EXPECT_LT((std::get<Len>(read).lengths - lengths).norm(), kWireExact);
     EXPECT_EQ(payloadOf(Set{0, lengths}), "SET,0,339.5,336.5,336.600001,100,1500,250");
+}
+
+/// A controller is in one of the states of the protocol; the '?' of a log is none, and no other letter
+/// either.
+TEST(Messages, AMeasurementTellsAStateOfTheProtocol) {
+    const auto len = [](char state) {
+        return parsePayload(std::string("LEN,1,1000,300,300,300,300,300,300,") + state + ",-1", Side::Host);
+    };
+    const std::string states = "UDESF";
+    for (char letter = ' '; letter <= '~'; ++letter) {
+        const LineMessage read = len(letter);
+        if (states.find(letter) != std::string::npos)
+            EXPECT_EQ(toLetter(std::get<Len>(read).state), letter);
+        else
+            EXPECT_TRUE(std::holds_alternative<Malformed>(read)) << letter;
+    }
 }
 
 TEST(WireNumbers, AreShortPlainDecimals) {

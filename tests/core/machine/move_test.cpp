@@ -60,8 +60,10 @@ TEST_F(MoveTest, SettlesOnlyAfterTheWholeTimeInsideTheWindow) {
     EXPECT_FALSE(move.update(ControllerState::Enabled, true, true, now += 290ms));
     EXPECT_FALSE(move.update(ControllerState::Enabled, true, false, now += 10ms))
         << "leaving the window starts anew";
-    move.update(ControllerState::Enabled, true, true, now += 10ms);
+    EXPECT_FALSE(move.update(ControllerState::Enabled, true, true, now += 10ms))
+        << "what was inside before it does not count";
     EXPECT_FALSE(move.update(ControllerState::Enabled, true, {}, now += 300ms)) << "needs a measurement";
+    ASSERT_EQ(move.phase(), Phase::Settling);
     EXPECT_EQ(move.update(ControllerState::Enabled, true, true, now += 10ms)->code, EventCode::Settled);
     EXPECT_EQ(move.phase(), Phase::Settled);
 }

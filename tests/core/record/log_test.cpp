@@ -13,7 +13,9 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
+#include <string_view>
 
 namespace hexapose {
 namespace {
@@ -101,6 +103,17 @@ TEST(LogRow, IsEmptyWhereNothingIsKnown) {
     appendLogRow(old, row);
     EXPECT_THAT(row, HasSubstr("Z,,,,,,,300.00000000000006,")) << "an old measurement is not written again";
     EXPECT_THAT(row, HasSubstr(",40,0,0,5,,,,,,,,,,moving,1.5,3,"));
+}
+
+TEST(LogRow, LeavesOutAResidualThatIsNoNumber) {
+    for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+        Snapshot s = fullSnapshot();
+        s.status = SolveStatus::Singular;
+        s.residual = bad;
+        std::string row;
+        appendLogRow(s, row);
+        EXPECT_THAT(row, HasSubstr(",singular,3,,moving,")) << bad;
+    }
 }
 
 class SessionLogTest : public testing::Test {
@@ -193,6 +206,17 @@ TEST_F(SessionLogTest, LeavesOutOnlyTheRowsThatCannotBeRead) {
     EXPECT_THAT(log.warnings[0], HasSubstr("bad.csv:3: row left out: l3_mm \"nan\" is not a finite number"));
     EXPECT_THAT(log.warnings[7], HasSubstr("bad.csv:11: half-written"));
 
+    // Whole in all that is needed, and yet a field short or long: which of them is missing nobody knows.
+    const SessionLog odd =
+        readSessionLog(scratch.write("odd.csv", header + "0,1,2,3,4,5,6,enabled\n"
+                                                         "0.1,1,2,3,4,5,6,enabled,converged,7\n"
+                                                         "0.2,1,2,3,4,5,6,enabled,converged\n"));
+    EXPECT_THAT(odd.warnings,
+                ElementsAre(HasSubstr("odd.csv:2: row left out: 8 fields, but the header has 9"),
+                            HasSubstr("odd.csv:3: row left out: 10 fields, but the header has 9")));
+    ASSERT_EQ(odd.rows.size(), 1U);
+    EXPECT_EQ(odd.rows[0].time, std::chrono::milliseconds(200));
+
     std::string many = header;
     for (int i = 0; i < 250; ++i)
         many += "x,1,2,3,4,5,6,enabled,converged\n";
@@ -210,6 +234,26 @@ TEST_F(SessionLogTest, NeverAssumesAPlatformWhenTheFileBesideItIsDamaged) {
     scratch.write("run.toml", "format = 1\n");
     EXPECT_THAT(readSessionLog(log).warnings, ElementsAre(HasSubstr("run.toml: holds no [platform]")));
     EXPECT_THROW(readSessionLog(scratch.write("x.csv", "time_s,l1_mm\n")), InputError);
+}
+
+TEST_F(SessionLogTest, RefusesAPlatformThatIsNotTheRecordedOne) {
+    const auto log = scratch.write("run.csv", "time_s,l1_mm,l2_mm,l3_mm,l4_mm,l5_mm,l6_mm\n0,1,2,3,4,5,6\n");
+    const LogMetadata recorded = sampleMetadata();
+    LogMetadata another = recorded;
+    another.platform.legs[3].p_OA_B.x() += 1e-6; // m
+    const std::string whole = formatLogMetadata(recorded, {});
+    const std::string edited = formatLogMetadata(another, {});
+    constexpr std::string_view kPlatform = "\n[platform]\n";
+    scratch.write("run.toml", whole.substr(0, whole.find(kPlatform)) + edited.substr(edited.find(kPlatform)));
+    try {
+        readSessionLog(log);
+        ADD_FAILURE() << "a joint that was moved afterwards is believed";
+    } catch (const InputError& error) {
+        EXPECT_THAT(error.what(),
+                    HasSubstr("not the platform_fingerprint " + recorded.platform.fingerprint()));
+    }
+    scratch.write("run.toml", whole);
+    EXPECT_EQ(readSessionLog(log).platform->fingerprint(), recorded.platform.fingerprint());
 }
 
 } // namespace
