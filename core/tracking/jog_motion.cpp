@@ -74,12 +74,17 @@ double JogMotion::wantedPace(const Cycle& cycle) {
 
 /// Towards the wanted pace, with limited acceleration and jerk.
 void JogMotion::changePace(double wanted, double seconds) {
+    if (seconds <= 0.0)
+        return;
     const Limits most = limits();
     const double missing = wanted - m_pace;
-    // The largest acceleration that jerk can still take away before the pace is reached.
-    const double swing = std::sqrt(2.0 * most.jerk * std::abs(missing));
-    const double aim =
-        std::copysign(std::min({most.acceleration, swing, std::abs(missing) / seconds}), missing);
+    // The largest acceleration that jerk can still take away before the pace is reached, in cycles: taken
+    // down by `part` a cycle, over steps + 1 of them, it adds up to what is missing.
+    const double part = most.jerk * seconds;
+    const double parts = std::abs(missing) / (part * seconds);
+    const double steps = std::floor(0.5 * (std::sqrt(1.0 + 8.0 * parts) - 1.0));
+    const double swing = part * (parts / (steps + 1.0) + 0.5 * steps);
+    const double aim = std::copysign(std::min(most.acceleration, swing), missing);
     m_acceleration += std::clamp(aim - m_acceleration, -most.jerk * seconds, most.jerk * seconds);
     m_pace = std::max(m_pace + m_acceleration * seconds, 0.0);
     if (wanted == 0.0 && m_pace <= kStandstill * most.pace)

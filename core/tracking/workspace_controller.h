@@ -13,7 +13,9 @@ namespace hexapose {
 struct WorkspaceOptions {
     double gain = 8.0;     ///< 1/s: rate of the correction for an error of 1; lower where feedback is rare
     double legSpeed = 0.0; ///< m/s, of each leg, above zero
-    double gapLimit = 0.0; ///< m: a set-point goes no further ahead of its leg, above zero
+    /// m, above zero: what a leg is led to goes no further ahead of it; its set-point, with the lead for its
+    /// lag, 1.4 times as far.
+    double gapLimit = 0.0;
     double speedUpTime = 0.25; ///< s, from a path that was held up to full speed
     /// While the reference stands an error within these is left alone: the legs would only follow the
     /// rounding.

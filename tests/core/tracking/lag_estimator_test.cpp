@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 namespace hexapose {
 namespace {
@@ -39,6 +40,19 @@ TEST(LegLagEstimator, LearnsNothingOfLegsThatStand) {
     for (int k = 0; k < 1000; ++k) // a load holds them off their set-points; the rounding makes them tremble
         estimator.add(there + LegLengths::Constant(0.002), there + LegLengths::Constant(k % 2 * 2e-6),
                       kCycle);
+    EXPECT_EQ(estimator.lags(), LegLengths(LegLengths::Constant(LegLagEstimator::guess())));
+}
+
+TEST(LegLagEstimator, LearnsNothingOfLegsThatGiveWaySlowlyUnderALoad) {
+    LegLagEstimator estimator;
+    std::mt19937_64 random(3);
+    std::uniform_real_distribution<double> tremble(-2e-6, 2e-6); // m
+    constexpr double kCreep = 3e-4;                              // m/s: nobody calls that a motion
+    const LegLengths there = LegLengths::Constant(0.3);
+    for (int k = 0; k < 1000; ++k) {
+        const LegLengths measured = there - LegLengths::Constant(kCreep * kCycle * k + tremble(random));
+        estimator.add(measured - LegLengths::Constant(0.002), measured, kCycle); // the load pulls it out
+    }
     EXPECT_EQ(estimator.lags(), LegLengths(LegLengths::Constant(LegLagEstimator::guess())));
 }
 
