@@ -57,35 +57,40 @@ MprNewton::MprNewton(SharedModel platform, PolynomialModel model, const NewtonOp
 ForwardResult MprNewton::solve(const LegLengths& lengths, const Pose& start) const noexcept {
     if (!areValidLengths(lengths) || !start.isFinite())
         return failure(SolveStatus::InvalidInput, 0, kNoNumber);
+    return solveValid(lengths, start);
+}
+
+ForwardResult MprNewton::solveValid(const LegLengths& lengths, const Pose& start) const noexcept {
     const PoseVector found = m_model.evaluate(lengths);
-    ForwardResult result;
-    int iterations = 0;
-    bool isFirst = true;
+    bool inside = isInside(m_model, lengths, found);
     double startResidual = std::numeric_limits<double>::infinity();
+    // One result, in place: a copy of it costs a tenth of the solution.
+    ForwardResult result = m_newton.solve(lengths, inside ? Pose::fromVector(found) : start, startResidual);
+    const bool fromModel = inside;
+    inside = inside && startResidual <= kResidualFactor * m_model.maxResidual;
+    if (result.status != SolveStatus::Converged || !inside)
+        solveBeside(result, fromModel, inside, lengths, start);
+    return result;
+}
+
+/// Where the regression has not led to the pose: from the given start and from home. The first failure stays
+/// the answer unless a later start succeeds.
+void MprNewton::solveBeside(ForwardResult& result, bool fromModel, bool inside, const LegLengths& lengths,
+                            const Pose& start) const noexcept {
+    int iterations = result.iterations;
     const auto solvedFrom = [&](const Pose& from) {
-        const ForwardResult attempt = m_newton.solve(lengths, from, startResidual);
+        const ForwardResult attempt = m_newton.solve(lengths, from);
         iterations += attempt.iterations;
-        // The first failure stays the answer unless a later start succeeds.
-        if (attempt.status == SolveStatus::Converged || isFirst)
+        if (attempt.status == SolveStatus::Converged)
             result = attempt;
-        isFirst = false;
         return attempt.status == SolveStatus::Converged;
     };
-    bool inside = isInside(m_model, lengths, found);
-    if (inside) {
-        const bool solved = solvedFrom(Pose::fromVector(found));
-        inside = startResidual <= kResidualFactor * m_model.maxResidual;
-        if (solved && inside) {
-            result.iterations = iterations;
-            return result;
-        }
-    }
-    // Who finds no solution has looked from home too.
+    // NoSolution already includes a search from home.
     const bool mayHomeDo = !start.toVector().isZero(0.0);
-    if (solvedFrom(start) || (mayHomeDo && result.status != SolveStatus::NoSolution && solvedFrom(Pose{})))
+    const bool solved = fromModel ? solvedFrom(start) : result.status == SolveStatus::Converged;
+    if (solved || (mayHomeDo && result.status != SolveStatus::NoSolution && solvedFrom(Pose{})))
         result.status = inside ? SolveStatus::Converged : SolveStatus::OutsideModel;
     result.iterations = iterations;
-    return result;
 }
 
 } // namespace hexapose

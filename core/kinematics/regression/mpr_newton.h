@@ -40,6 +40,10 @@ public:
     std::string_view name() const noexcept override { return m_name; }
 
 private:
+    ForwardResult solveValid(const LegLengths& lengths, const Pose& start) const noexcept;
+    void solveBeside(ForwardResult& result, bool fromModel, bool inside, const LegLengths& lengths,
+                     const Pose& start) const noexcept;
+
     PolynomialModel m_model;
     NewtonRaphson m_newton;
     std::string m_name;
