@@ -165,7 +165,9 @@ TEST(Console, WithAWindowEndsInOrderByASignal) {
     ForeignController controller(scratch.path("port"), traits, {});
     Process console({HEXAPOSE_CONSOLE, "--log-dir", scratch.path("logs"), "--port", scratch.path("port")}, {},
                     {{"QT_QPA_PLATFORM", "offscreen"}});
-    ASSERT_TRUE(controller.waitFor([&] { return controller.watchdogTrips() == 1; })) << "held unasked";
+    ASSERT_TRUE(controller.waitFor([&] {
+        return !controller.payloads("HELLO").empty() && controller.watchdogTrips() == 1;
+    })) << "held unasked";
     console.signal(SIGTERM);
     EXPECT_EQ(console.wait().status, 0);
     EXPECT_THAT(controller.payloads("SET"), IsEmpty()) << "nobody asked for a set-point";
@@ -185,7 +187,9 @@ std::string solverInUse(const std::vector<std::string>& more, const std::string&
     words.insert(words.end(), more.begin(), more.end());
     Process console(words, {},
                     {{"QT_QPA_PLATFORM", "offscreen"}, {"XDG_CONFIG_HOME", scratch.path("config")}});
-    EXPECT_TRUE(controller.waitFor([&] { return controller.watchdogTrips() == 1; }));
+    // The session, and its log, begin before the first HELLO.
+    EXPECT_TRUE(controller.waitFor(
+        [&] { return !controller.payloads("HELLO").empty() && controller.watchdogTrips() == 1; }));
     console.signal(SIGTERM);
     EXPECT_EQ(console.wait().status, 0);
     for (const auto& file : std::filesystem::directory_iterator(scratch.path("logs"))) {
