@@ -190,12 +190,18 @@ std::optional<Pair> extremeEigenvalues(const Tridiagonal& t) {
 
 } // namespace
 
-ExtremeSingularValues extremeSingularValues(const Matrix6& matrix) noexcept {
+std::optional<ExtremeSingularValues> fastExtremeSingularValues(const Matrix6& matrix) noexcept {
     const auto values = extremeEigenvalues(tridiagonal(matrix.transpose().lazyProduct(matrix)));
     const bool apart =
         values && (*values)[1] > kApart * (*values)[0]; // else the polynomial knows them too little
     if (apart && (*values)[0] > kLeastRatio * (*values)[1])
-        return {std::sqrt((*values)[0]), std::sqrt((*values)[1])};
+        return ExtremeSingularValues{std::sqrt((*values)[0]), std::sqrt((*values)[1])};
+    return std::nullopt;
+}
+
+ExtremeSingularValues extremeSingularValues(const Matrix6& matrix) noexcept {
+    if (const auto fast = fastExtremeSingularValues(matrix))
+        return *fast;
     const auto all = singularValues(matrix);
     return {all[5], all[0]};
 }

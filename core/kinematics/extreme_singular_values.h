@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include <optional>
+
 namespace hexapose {
 
 struct ExtremeSingularValues {
@@ -15,5 +17,10 @@ struct ExtremeSingularValues {
 /// time that all six take. The entries are finite, and neither so large nor so small that their twelfth power
 /// is none.
 ExtremeSingularValues extremeSingularValues(const Eigen::Matrix<double, 6, 6>& matrix) noexcept;
+
+/// Their fast computation alone, from the characteristic polynomial; nothing where that does not know them so
+/// well: singular or nearly, or more than two nearly the same.
+std::optional<ExtremeSingularValues>
+fastExtremeSingularValues(const Eigen::Matrix<double, 6, 6>& matrix) noexcept;
 
 } // namespace hexapose

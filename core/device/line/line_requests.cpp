@@ -19,9 +19,15 @@ std::optional<LineMessage> messageOf(DeviceRequest request) {
         return Stop{};
     case DeviceRequest::Clear:
         return Clear{};
-    default: // nothing to ask, or not for the loop to ask
+    case DeviceRequest::None:
+    case DeviceRequest::SetPoint: // the rest has no request of its own, or is the device's own affair
+    case DeviceRequest::Period:
+    case DeviceRequest::Hello:
+    case DeviceRequest::Identity:
+    case DeviceRequest::Other:
         return std::nullopt;
     }
+    return std::nullopt;
 }
 
 void PendingRequests::sent(std::string_view type, Time time) {

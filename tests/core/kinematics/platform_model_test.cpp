@@ -68,6 +68,20 @@ TEST(ExtremeSingularValues, AreRightWhereSeveralAreNearlyTheSame) {
                 }
 }
 
+/// Real machines do not take the decomposition, which lasts ten times as long.
+TEST(ExtremeSingularValues, OfRealMachinesAreFoundFast) {
+    for (const PlatformGeometry& machine : {laboratory(), octahedral(), asymmetric()}) {
+        const LegEquations equations(machine);
+        RandomPoses poses(0.13 * machine.size(), 0.35, 23);
+        for (int i = 0; i < 500; ++i) {
+            const Pose pose = i == 0 ? Pose{} : poses.next();
+            const Matrix6 jacobian = equations.jacobian(
+                equations.evaluate(equations.placementOf(pose), LegEquations::Legs::Zero()));
+            EXPECT_TRUE(fastExtremeSingularValues(jacobian)) << machine.name << ' ' << i;
+        }
+    }
+}
+
 TEST(Determinant, IsThatOfTheFactorisation) {
     std::mt19937_64 random(6);
     for (int i = 0; i < 200; ++i) {

@@ -26,7 +26,7 @@ protected:
     struct Most {
         double pace = 0.0, acceleration = 0.0, jerk = 0.0;
     };
-    /// Held, held at half of the speed, held at full speed, released; what was reached on the way.
+    /// Held, held at half speed, held at full speed, released; returns the largest values reached.
 
     Most ride(const JogDirection& direction) {
         WorkspaceController controller(m_model, {8.0, m_bounds.legSpeed, 0.01, 0.25, 5e-5, 5e-4});

@@ -41,7 +41,7 @@ TEST_F(WorkspaceMotionTest, WithoutAFreshPoseItHoldsTheSetPointAndStaysOnThePath
     for (int k = 0; k < 40; ++k)
         last = m_law.step(fresh());
     const Pose there = whereItShouldBe();
-    ASSERT_GT(there.offset.norm(), 1e-3) << "on the way";
+    ASSERT_GT(there.offset.norm(), 1e-3) << "in mid-path";
     MotionGenerator::Cycle noPose = fresh(), noLengths = fresh(), neither = fresh();
     noPose.pose.reset(); // legs were measured, of which no pose was found
     noLengths.lengths.reset();

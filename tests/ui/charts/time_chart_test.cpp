@@ -156,7 +156,7 @@ TEST_F(TimeChartTest, TheReadOutStaysWithinTheFrame) {
                 for (int x = 0; x < with.width(); ++x)
                     if (with.pixel(x, y) != without.pixel(x, y))
                         changed |= QRect(x, y, 1, 1);
-            EXPECT_GT(changed.width(), 20) << "something is told";
+            EXPECT_GT(changed.width(), 20) << "a read-out is shown";
             EXPECT_TRUE(scale.frame.adjusted(-1.0, -1.0, 1.0, 1.0).contains(changed)) << size.width();
         }
     }
