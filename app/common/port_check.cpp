@@ -4,7 +4,7 @@
 #include "app/common/port_check.h"
 
 #include "core/base/input_error.h"
-#include "core/device/simulation/file_descriptor.h"
+#include "core/device/file_descriptor.h"
 
 #include <cerrno>
 #include <fcntl.h>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/device/interruption.h"
 #include "core/record/device_words.h"
 #include "core/record/port_failure.h"
 
@@ -33,9 +34,10 @@ private:
 class ByteChannel {
 public:
     virtual ~ByteChannel() = default;
-    /// Bytes that arrived, waiting up to `wait` for the first; 0 when none came. Throws ChannelError once the
-    /// port is gone.
-    virtual std::size_t read(std::span<char> buffer, std::chrono::milliseconds wait) = 0;
+    /// Bytes that arrived, waiting for the first up to `wait`, or until an interruption is requested, which
+    /// is left to the caller to take; 0 when none came. Throws ChannelError once the port is gone.
+    virtual std::size_t read(std::span<char> buffer, std::chrono::milliseconds wait,
+                             const Interruption& interruption) = 0;
     /// All bytes are handed to the system before it returns. Throws ChannelError.
     virtual void write(std::string_view bytes) = 0;
     /// Bytes that were written and wait in this computer; 0 where that cannot be known.

@@ -2,39 +2,31 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/device/file_descriptor.h"
+
 #include <chrono>
-#include <condition_variable>
-#include <mutex>
-#include <utility>
 
 namespace hexapose {
 
-/// One thread waits, any other ends the wait: the present one, or the next.
+/// A request of any thread that the one which waits for bytes shall wait no longer. The system's poll() sees
+/// it, so that one wait is for both.
 class Interruption {
 public:
-    void request() {
-        {
-            const std::lock_guard lock(m_mutex);
-            m_requested = true;
-        }
-        m_changed.notify_one();
-    }
+    /// Throws std::system_error where the system has no descriptor left.
+    Interruption();
+    /// From any thread.
+    void request();
     /// Whether there was a request; there is none afterwards.
-    bool take() {
-        const std::lock_guard lock(m_mutex);
-        return std::exchange(m_requested, false);
-    }
+    bool take();
+    /// Whether there is a request; it stays.
+    bool requested() const;
     /// Until a request, which is taken, or for so long.
-    void wait(std::chrono::milliseconds longest) {
-        std::unique_lock lock(m_mutex);
-        m_changed.wait_for(lock, longest, [this] { return m_requested; });
-        m_requested = false;
-    }
+    void wait(std::chrono::milliseconds longest);
+    /// Readable while there is a request.
+    int descriptor() const { return m_event.get(); }
 
 private:
-    std::mutex m_mutex;
-    std::condition_variable m_changed;
-    bool m_requested = false;
+    FileDescriptor m_event;
 };
 
 } // namespace hexapose

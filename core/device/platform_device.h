@@ -50,8 +50,8 @@ public:
     /// goes out soon. The feedback is the device's own until the next read.
     virtual const DeviceFeedback& read() = 0;
     virtual void write(const SetPoints& setPoints) = 0;
-    /// From any thread: the read that waits, or the next one, returns within about 2 ms, without a
-    /// measurement where none came.
+    /// From any thread: the read that waits, or the next one, returns at once, without a measurement where
+    /// none came.
     virtual void interrupt() = 0;
 };
 

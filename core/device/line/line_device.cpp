@@ -15,9 +15,8 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr milliseconds kInterruptWithin{2}; ///< a wait is cut in pieces of this, to see that it is to end
-constexpr double kLongestLength = 1000.0;   ///< m; keeps a SET within a frame
-constexpr std::size_t kMaxUnsent = 160;     ///< bytes; two set-points waiting is one too many
+constexpr double kLongestLength = 1000.0; ///< m; keeps a SET within a frame
+constexpr std::size_t kMaxUnsent = 160;   ///< bytes; two set-points waiting is one too many
 
 bool isEncodable(const LegLengths& lengths) {
     return lengths.allFinite() && (lengths.array() > 0.0).all() && (lengths.array() < kLongestLength).all();
@@ -112,7 +111,7 @@ void LineDevice::Impl::receive() {
         const bool measured =
             feedback.lengths.has_value(); // then only what is here already: the newest counts
         const std::size_t size =
-            channel->read(buffer, measured || ends ? milliseconds(0) : std::min(left, kInterruptWithin));
+            channel->read(buffer, measured || ends ? milliseconds(0) : left, interruption);
         time = options.now();
         if (size == 0) {
             if (time - lastByte >= options.pauseOfSender)

@@ -17,7 +17,8 @@ public:
     SerialChannel(const std::string& path, int baud);
     ~SerialChannel() override;
 
-    std::size_t read(std::span<char> buffer, std::chrono::milliseconds wait) override;
+    std::size_t read(std::span<char> buffer, std::chrono::milliseconds wait,
+                     const Interruption& interruption) override;
     void write(std::string_view bytes) override;
     std::size_t unsent() override;
     void dropUnsent() override;

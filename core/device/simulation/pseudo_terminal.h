@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/device/simulation/file_descriptor.h"
+#include "core/device/file_descriptor.h"
 
 #include <cstddef>
 #include <filesystem>

@@ -12,6 +12,8 @@
 
 namespace hexapose {
 
+using namespace std::chrono_literals;
+
 struct SimulatedMachine::Impl {
     Impl(const PlatformGeometry& geometry, const VirtualPlatformOptions& options,
          std::chrono::milliseconds period)
@@ -37,8 +39,9 @@ template <class Machine>
 class Wire final : public ByteChannel {
 public:
     explicit Wire(Machine& machine) : m_machine(machine) {}
-    std::size_t read(std::span<char> buffer, std::chrono::milliseconds wait) override {
-        const std::chrono::nanoseconds until = m_machine.now + wait;
+    std::size_t read(std::span<char> buffer, std::chrono::milliseconds wait,
+                     const Interruption& interruption) override {
+        const std::chrono::nanoseconds until = m_machine.now + (interruption.requested() ? 0ms : wait);
         while (m_machine.toHost.empty() && m_machine.now < until)
             m_machine.advance(std::min<std::chrono::nanoseconds>(m_machine.controller.nextDue(), until));
         const std::size_t count = std::min(buffer.size(), m_machine.toHost.size());

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/device/file_descriptor.h"
 #include "core/device/simulation/fault_injector.h"
-#include "core/device/simulation/file_descriptor.h"
 #include "core/device/simulation/line_controller.h"
 #include "core/device/simulation/pseudo_terminal.h"
 #include "core/device/simulation/virtual_platform.h"

@@ -55,13 +55,15 @@ class ScriptedChannel final : public ByteChannel {
 public:
     explicit ScriptedChannel(Script& script) : m_script(script) {}
 
-    std::size_t read(std::span<char> buffer, std::chrono::milliseconds wait) override {
+    std::size_t read(std::span<char> buffer, std::chrono::milliseconds wait,
+                     const Interruption& interruption) override {
         if (m_script.lost)
             throw ChannelError("unplugged");
         if (m_script.onRead)
             m_script.onRead();
         auto& incoming = m_script.incoming;
-        const Script::Time until = m_script.now + wait;
+        const Script::Time until =
+            m_script.now + (interruption.requested() ? std::chrono::milliseconds(0) : wait);
         m_script.now = incoming.empty() ? until : std::clamp(incoming.front().first, m_script.now, until);
         if (incoming.empty() || incoming.front().first > m_script.now)
             return 0;

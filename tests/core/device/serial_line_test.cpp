@@ -22,6 +22,7 @@
 #include <filesystem>
 #include <fstream>
 #include <poll.h>
+#include <thread>
 
 namespace hexapose {
 namespace {
@@ -34,6 +35,7 @@ constexpr int kBaud = 115200;
 constexpr int kMaxExchanges = 5000; ///< each at most some 15 ms: a bound for what must happen, not a time
 
 std::atomic<int> warnings{0};
+const Interruption none;
 
 class SerialLine : public testing::Test {
 protected:
@@ -157,7 +159,7 @@ TEST_F(SerialLine, FaultsOnTheLineAreCountedAndNeverBecomeAMeasurement) {
     });
 }
 
-TEST_F(SerialLine, APortThatGoesIsToldOnceAndTakenUpAgain) {
+TEST_F(SerialLine, APortThatGoesIsReportedOnceAndTakenUpAgain) {
     VirtualPlatformServerOptions options = patientPlatform();
     options.link = inFolder("port");
     auto server = std::make_unique<VirtualPlatformServer>(testPlatform(), options);
@@ -166,14 +168,14 @@ TEST_F(SerialLine, APortThatGoesIsToldOnceAndTakenUpAgain) {
         until(device, inState(ControllerState::Unreferenced));
         server.reset();
         EXPECT_FALSE(fs::exists(fs::symlink_status(options.link)));
-        int told = 0;
+        int reported = 0;
         until(device, [&](const DeviceFeedback& f) {
-            told += static_cast<int>(f.notices.size());
+            reported += static_cast<int>(f.notices.size());
             return f.link == LinkState::Lost;
         });
         for (int i = 0; i < 20; ++i)
-            told += static_cast<int>(exchange(device, {}).notices.size());
-        EXPECT_EQ(told, 1);
+            reported += static_cast<int>(exchange(device, {}).notices.size());
+        EXPECT_EQ(reported, 1);
         server = std::make_unique<VirtualPlatformServer>(testPlatform(), options);
         until(device, inState(ControllerState::Unreferenced));
     });
@@ -190,7 +192,7 @@ TEST_F(SerialLine, EveryByteArrivesInBothDirections) {
         std::array<char, 100> buffer;
         std::string read;
         for (int i = 0; i < kMaxExchanges && read.size() < all.size(); ++i)
-            read.append(buffer.data(), channel.read(buffer, 15ms));
+            read.append(buffer.data(), channel.read(buffer, 15ms, none));
         EXPECT_EQ(read, all);
         channel.write(all);
         std::string written;
@@ -211,9 +213,9 @@ TEST_F(SerialLine, WhatCameBeforeTheOpeningIsNotRead) {
     onThread([&] {
         SerialChannel channel(port.path(), kBaud);
         std::array<char, 4096> buffer;
-        EXPECT_EQ(channel.read(buffer, 1ms), 0U);
+        EXPECT_EQ(channel.read(buffer, 1ms, none), 0U);
         ASSERT_EQ(port.write("new"), 3U);
-        const std::size_t count = channel.read(buffer, 10s);
+        const std::size_t count = channel.read(buffer, 10s, none);
         EXPECT_EQ(std::string(buffer.data(), count), "new");
     });
 }
@@ -234,6 +236,40 @@ TEST_F(SerialLine, AStopComesLastWholeAndBehindNoMoreThanWasWritten) {
         }
         EXPECT_LE(arrived.size(), 1004U);
         EXPECT_EQ(channel.unsent(), 0U);
+    });
+}
+
+TEST_F(SerialLine, AnInterruptionEndsTheWaitForBytes) {
+    PseudoTerminal port;
+    onThread([&] {
+        LineDeviceOptions options;
+        options.longestWait = 1h;
+        LineDevice device(std::make_unique<SerialChannel>(port.path(), kBaud), options);
+        device.interrupt(); // before the wait, and in it
+        EXPECT_FALSE(device.read().lengths);
+        std::atomic<bool> ended{false};
+        std::thread other([&] {
+            while (!ended)
+                device.interrupt();
+        });
+        EXPECT_FALSE(device.read().lengths);
+        ended = true;
+        other.join();
+    });
+}
+
+TEST_F(SerialLine, BytesThatCameBeforeThePortWentAreRead) {
+    std::array<char, 4096> buffer;
+    onThread([&] {
+        auto port = std::make_unique<PseudoTerminal>();
+        SerialChannel channel(port->path(), kBaud);
+        ASSERT_EQ(port->write("last"), 4U);
+        const std::size_t count = channel.read(buffer, 10s, none);
+        EXPECT_EQ(std::string(buffer.data(), count), "last");
+        port.reset();
+        EXPECT_THROW(channel.read(buffer, 10s, none), ChannelError);
+        EXPECT_THROW(channel.read(buffer, 0ms, none), ChannelError);
+        EXPECT_THROW(channel.write("x"), ChannelError);
     });
 }
 
