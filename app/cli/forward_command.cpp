@@ -5,6 +5,7 @@
 #include "app/cli/number_rows.h"
 #include "app/cli/solver_choice.h"
 #include "app/common/arguments.h"
+#include "app/common/platform_check.h"
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
 #include "core/base/unit_text.h"
@@ -116,6 +117,7 @@ int forwardCommand(const QStringList& words) {
     const bool details = arguments.has("details");
     const double resolution = metresFromMm(arguments.positive("resolution-mm", 0.1));
     const PlatformGeometry platform = arguments.platform();
+    warnUnlessMovable(platform, arguments.text("platform", "laboratory"));
     const CsvTable table = readCsv(arguments.operand(0));
     const NumberRows rows(table, kLengthColumns);
     const ChosenSolver chosen = chooseSolver(arguments, platform, SingularHome::Allowed);

@@ -4,6 +4,7 @@
 #include "app/cli/command.h"
 #include "app/cli/number_rows.h"
 #include "app/common/arguments.h"
+#include "app/common/platform_check.h"
 #include "core/base/unit_text.h"
 #include "core/base/units.h"
 #include "core/kinematics/inverse_kinematics.h"
@@ -19,6 +20,7 @@ namespace hexapose {
 int inverseCommand(const QStringList& words) {
     const Arguments arguments({"hexapose-cli inverse", {QStringLiteral("POSES.csv")}, {}}, words);
     const PlatformGeometry platform = arguments.platform();
+    warnUnlessMovable(platform, arguments.text("platform", "laboratory"));
     const CsvTable table = readCsv(arguments.operand(0));
     const NumberRows rows(table, kPoseColumns);
     MotionLimits limits = motionLimits(platform, std::nullopt, std::nullopt);

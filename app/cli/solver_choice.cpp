@@ -97,6 +97,15 @@ ChosenSolver choose(const Arguments& arguments, const PlatformGeometry& platform
     return withModel(method, platform, model, options, arguments.has("max-iterations"));
 }
 
+bool hasModel(const PlatformGeometry& platform) {
+    try {
+        defaultTrainingSpec(platform, 1);
+        return true;
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
 } // namespace
 
 StepForm stepForm(const Arguments& arguments, StepForm fallback) {
@@ -119,9 +128,7 @@ std::vector<OptionSpec> withSolverOptions(std::vector<OptionSpec> own) {
 
 ChosenSolver chooseSolver(const Arguments& arguments, const PlatformGeometry& platform,
                           SingularHome singularHome) {
-    const bool trains =
-        singularHome == SingularHome::Refused || PlatformModel(platform).homeDeterminant() != 0.0;
-    return choose(arguments, platform, trains);
+    return choose(arguments, platform, singularHome == SingularHome::Refused || hasModel(platform));
 }
 
 ChosenSolver makeDefaultSolver(const ForwardMethod& method, const PlatformGeometry& platform) {

@@ -29,8 +29,8 @@ std::vector<OptionSpec> withSolverOptions(std::vector<OptionSpec> own);
 /// The solver, MPR-NR with its fallback, of --method, --model, --tolerance-mm, --max-iterations, --steps and
 /// --form. A method that needs a model gets the one of --model, or the platform's own, trained on first use
 /// with a progress bar on a terminal.
-/// A platform that is singular at home can have no model: it is refused, or gets Newton, which reports
-/// Singular for every pose.
+/// A platform that is singular at home, or too close to it for a model, is refused, or gets Newton, which
+/// reports in each row what it can say.
 enum class SingularHome { Refused, Allowed };
 ChosenSolver chooseSolver(const Arguments& arguments, const PlatformGeometry& platform,
                           SingularHome singularHome = SingularHome::Refused);

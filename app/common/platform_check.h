@@ -12,4 +12,7 @@ namespace hexapose {
 /// singular.
 void requireMovable(const PlatformGeometry& platform, const std::string& nameOrFile);
 
+/// For a command that computes all the same: reports such a platform in one line on standard error.
+void warnUnlessMovable(const PlatformGeometry& platform, const std::string& nameOrFile);
+
 } // namespace hexapose

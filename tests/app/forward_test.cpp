@@ -62,7 +62,7 @@ TEST(Forward, PublishedLengthsGiveThePublishedPose) {
     }
 }
 
-TEST(Forward, EveryMethodTellsASingularPlatformInItsRows) {
+TEST(Forward, EveryMethodReportsASingularPlatformInItsRows) {
     // Both rings the same hexagon, one half as large: it can move while its legs stand still.
     Machine hexagons = laboratory();
     for (std::size_t i = 0; i < 6; ++i) {
@@ -86,6 +86,33 @@ TEST(Forward, EveryMethodTellsASingularPlatformInItsRows) {
         for (std::size_t row : {0U, 1U})
             EXPECT_EQ(table.field(row, "status"), "singular");
     }
+}
+
+TEST(Forward, APlatformTooCloseToSingularForAModelGetsRowsAndAWarning) {
+    Machine inches = laboratory();
+    for (std::size_t i = 0; i < 6; ++i) {
+        for (std::size_t k = 0; k < 3; ++k) {
+            inches.base[i][k] /= 25.4;
+            inches.platform[i][k] /= 25.4;
+        }
+    }
+    const Scratch scratch;
+    const std::string file = scratch.file("inches.toml", inches.toml());
+    const std::string warning = "hexapose-cli: warning: " + file +
+                                ": its geometry is too close to singular at home; likely cause: base_mm and "
+                                "platform_mm are in inches\n";
+    const std::string lengths =
+        csv(lengthColumns(), {inches.lengths({}), inches.lengths({1, 0, 2, 0, 1, 0})});
+    for (const char* method : {"newton", "mpr2", "mpr3-nr", "fsi"}) {
+        SCOPED_TRACE(method);
+        const Outcome outcome = cli({"forward", "-", "--platform", file, "--method", method}, lengths);
+        EXPECT_EQ(Table(outcome.out).rows.size(), 2U);
+        EXPECT_EQ(outcome.err, warning);
+    }
+    const Outcome inverse =
+        cli({"inverse", "-", "--platform", file}, csv(poseColumns(), {{}, {1, 0, 2, 0, 1, 0}}));
+    EXPECT_EQ(Table(inverse.out).rows.size(), 2U);
+    EXPECT_EQ(inverse.err, warning);
 }
 
 TEST(Forward, ForeignLocalesChangeNoNumber) {
