@@ -9,6 +9,7 @@
 #include "core/device/simulation/virtual_platform_server.h"
 
 #include <algorithm>
+#include <variant>
 
 namespace hexapose {
 
@@ -39,6 +40,17 @@ private:
     std::unique_ptr<PlatformDevice> m_device;
 };
 
+/// One function a kind of connection: a kind without one does not compile.
+struct DeviceOf {
+    const PlatformGeometry& geometry;
+    std::unique_ptr<PlatformDevice> operator()(const VirtualConnection&) const {
+        return makeVirtualDevice(geometry);
+    }
+    std::unique_ptr<PlatformDevice> operator()(const SerialConnection& serial) const {
+        return makeSerialDevice(serial.path, serial.baud);
+    }
+};
+
 } // namespace
 
 std::unique_ptr<PlatformDevice> makeSerialDevice(const std::string& portPath, int baud) {
@@ -55,8 +67,7 @@ std::unique_ptr<PlatformDevice> makeVirtualDevice(const PlatformGeometry& geomet
 
 std::unique_ptr<PlatformDevice> makeDevice(const ConnectionSpec& connection,
                                            const PlatformGeometry& geometry) {
-    const auto* serial = std::get_if<SerialConnection>(&connection);
-    return serial ? makeSerialDevice(serial->path, serial->baud) : makeVirtualDevice(geometry);
+    return std::visit(DeviceOf{geometry}, connection);
 }
 
 } // namespace hexapose

@@ -24,9 +24,14 @@ struct SerialConnection {
 using ConnectionSpec = std::variant<VirtualConnection, SerialConnection>;
 
 /// What the log calls it: "virtual", or the path of the port.
+inline std::string nameOf(const VirtualConnection&) {
+    return "virtual";
+}
+inline std::string nameOf(const SerialConnection& connection) {
+    return connection.path;
+}
 inline std::string nameOf(const ConnectionSpec& connection) {
-    const auto* serial = std::get_if<SerialConnection>(&connection);
-    return serial ? serial->path : "virtual";
+    return std::visit([](const auto& kind) { return nameOf(kind); }, connection);
 }
 
 } // namespace hexapose
