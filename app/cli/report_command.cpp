@@ -47,8 +47,8 @@ int reportCommand(const QStringList& words) {
          withSolverOptions({{"out", "DIR", "Directory of report.pdf, errors.csv, errors.png and errors.svg."},
                             {"resolution-mm", "R", "Resolution of the lengths (default: 0.1)."}}),
          {},
-         "The platform is read from the TOML file beside the log; --platform is for a log without that "
-         "file."},
+         {},
+         "Platform name or file, for a log without its TOML file (default: that file's, else laboratory)."},
         words);
     const std::string directory = arguments.requiredText("out");
     const double resolution = metresFromMm(arguments.positive("resolution-mm", 0.1));

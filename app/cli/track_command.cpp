@@ -75,7 +75,8 @@ int trackCommand(const QStringList& words) {
           {"rates", "equations|averages",
            "Velocity and acceleration from the equations (default), or from averages of steps."}},
          {},
-         "--platform makes the platform itself the mechanism; without it that of --mechanism is used."},
+         {},
+         "Platform name or file that is itself the mechanism (default: that of --mechanism)."},
         words);
     const std::string drive = arguments.requiredText("drive");
     const fs::path directory = arguments.requiredText("out");

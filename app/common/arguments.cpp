@@ -45,9 +45,8 @@ Arguments::Arguments(const Usage& usage, const QStringList& words) : m_subject(u
     for (const OptionSpec& spec : usage.options)
         m_parser.addOption(QCommandLineOption(QString::fromLatin1(spec.name), QString::fromUtf8(spec.help),
                                               QString::fromLatin1(spec.value)));
-    m_parser.addOption(QCommandLineOption(QStringLiteral("platform"),
-                                          QStringLiteral("Platform name or file (default: laboratory)."),
-                                          QStringLiteral("NAME|FILE")));
+    m_parser.addOption(QCommandLineOption(
+        QStringLiteral("platform"), QString::fromStdString(usage.platformHelp), QStringLiteral("NAME|FILE")));
     m_parser.addOption(
         QCommandLineOption({QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("Show this help.")));
     const bool parsed = m_parser.parse(QStringList{QString::fromStdString(usage.call)} + words);

@@ -31,6 +31,7 @@ struct Usage {
     std::vector<OptionSpec> options;
     std::string about = {};  ///< above the list of the options
     std::string remark = {}; ///< below it
+    std::string platformHelp = "Platform name or file (default: laboratory).";
 
     /// What a complaint about the call as a whole begins with: "inverse".
     std::string subject() const { return call.substr(call.rfind(' ') + 1); }
