@@ -125,18 +125,28 @@ TEST(Documents, EverySourceFileAndFolderThatIsNamedExists) {
     EXPECT_GT(count, 50);
 }
 
+/// The row of a folder in a table whose first column has the folders; empty: none.
+std::string rowOf(const std::string& table, const fs::path& folder) {
+    const std::size_t begin = table.find("\n| `" + folder.string() + "` |");
+    return begin == std::string::npos ? "" : table.substr(begin + 1, table.find('\n', begin + 1) - begin);
+}
+
 TEST(Documents, EveryFolderIsInTheTableOfContributing) {
     const std::string text = textOf(kTop / "CONTRIBUTING.md");
     for (const char* top : {"core", "ui", "app"})
-        for (const auto& entry : fs::directory_iterator(kTop / top))
+        for (const auto& entry : fs::recursive_directory_iterator(kTop / top))
             if (entry.is_directory()) {
-                EXPECT_THAT(text, HasSubstr("`" + (top / entry.path().filename()).string() + "`"));
+                const fs::path folder = fs::relative(entry.path(), kTop);
+                const std::string row = rowOf(text, folder.parent_path());
+                EXPECT_TRUE(!rowOf(text, folder).empty() ||
+                            row.find("`" + folder.filename().string() + "`") != std::string::npos)
+                    << folder << " is neither a row nor named in the row of the folder it is in";
             }
 }
 
 TEST(Documents, TheReadmeStaysShort) {
     const std::string text = textOf(kTop / "README.md");
-    EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 90);
+    EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 80);
 }
 
 } // namespace
