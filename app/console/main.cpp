@@ -26,7 +26,7 @@ namespace {
 using namespace hexapose;
 
 constexpr int kBadInput = 2;
-constexpr int kReportAttitudes = 3; ///< enough to show the report without a long wait
+constexpr int kReportPoses = 3; ///< enough to show the report without a long wait
 
 int refuse(const char* message) {
     std::fprintf(stderr, "hexapose: %s\n", message);
@@ -136,7 +136,7 @@ int main(int argc, char* argv[]) {
         }
         checkPort(options);
         const std::vector<Pose> trial = options.headless
-                                            ? trialPoses(options.geometry, options.envelope, kReportAttitudes)
+                                            ? trialPoses(options.geometry, options.envelope, kReportPoses)
                                             : std::vector<Pose>();
         if (options.logDirectory.empty()) {
             options.logDirectory = defaultLogDirectory();

@@ -89,7 +89,7 @@ std::string outputFault(const Mechanism& mechanism) {
     const Eigen::Vector3d extents = singularValues(Eigen::MatrixXd(spread));
     if (body.size() >= 3 && extents[1] > kCoincident * extents[0])
         return {};
-    return "how it is turned is told by three nodes that are not on one line; without them write turns = "
+    return "how it is turned shows only in three nodes that are not on one line; without them write turns = "
            "false";
 }
 

@@ -21,7 +21,7 @@ constexpr double kLeastLegChange = 0.05;
 
 /// At the end of a path, which is exact to the fourth order there: from a coarse one two are needed.
 constexpr int kMostEndCorrections = 3;
-/// A longer way than this, of the machine's size, is no correction any more.
+/// A longer path than this, of the machine's size, is no correction any more.
 constexpr double kLongestEndCorrection = 1e-3;
 
 } // namespace

@@ -185,7 +185,7 @@ double StepSystem::addRow(Eigen::Index index, const StepRow& row, const Eigen::V
     for (std::size_t i = 0; i < row.count; ++i)
         if (m_mechanism.points[row.terms[i].point].kind != PointKind::Fixed)
             square += row.terms[i].gradient.squaredNorm();
-    const double length = square == 0.0 ? 1.0 : std::sqrt(square); // a row of zeros is told by its rank
+    const double length = square == 0.0 ? 1.0 : std::sqrt(square); // a row of zeros shows in the rank
     matrix.row(index).setZero();
     const auto put = [&](Eigen::Index first, const Eigen::Vector3d& gradient) {
         matrix.row(index).segment<3>(first) += gradient.transpose();

@@ -35,8 +35,8 @@ bool isSamePose(const PlatformModel& model, const Pose& a, const Pose& b) {
 bool holdsFor(const PathSample& at, double spread, double speed, double step, double margin) {
     constexpr std::array<double, 5> kGrowths{1.05, 1.2, 1.5, 2.0, 4.0};
     return std::any_of(kGrowths.begin(), kGrowths.end(), [&](double growth) {
-        const double way = growth * speed * step;
-        const double change = at.jacobianChange(way, way / spread);
+        const double travel = growth * speed * step;
+        const double change = at.jacobianChange(travel, travel / spread);
         const double least = at.smallestSingularValue() - change;
         if (!(least > 0.0) || (least < margin && change > kMarginResolution))
             return false;

@@ -92,7 +92,7 @@ private:
     }
 
     /// No joint goes further in this time.
-    double jointWay(double seconds, double arm) const {
+    double jointTravel(double seconds, double arm) const {
         return (m_bounds.speed + m_bounds.angularSpeed * arm) * seconds;
     }
     /// Between two samples a length leaves the straight line between theirs by |l''| seconds^2 / 8 at most.
@@ -101,17 +101,17 @@ private:
         const double seconds = b.time - a.time;
         for (int leg = 0; leg < kLegCount; ++leg) {
             const double arm = a.path.arms()[leg];
-            const double way = jointWay(seconds, arm);
+            const double travel = jointTravel(seconds, arm);
             const double longest = std::max(a.lengths[leg], b.lengths[leg]);
             const double shortest = std::min(a.lengths[leg], b.lengths[leg]);
-            const double least = longest / m_equations.size() - way;
+            const double least = longest / m_equations.size() - travel;
             if (!(least > 0.0))
                 return false;
             const double acceleration =
                 m_bounds.acceleration +
                 (m_bounds.angularAcceleration + m_bounds.angularSpeed * m_bounds.angularSpeed) * arm;
             const double bulge =
-                (acceleration * seconds * seconds + way * way / least) / 8.0 * m_equations.size();
+                (acceleration * seconds * seconds + travel * travel / least) / 8.0 * m_equations.size();
             if (longest + bulge > m_limits.maxLength[leg] || shortest - bulge < m_limits.minLength[leg])
                 return false;
         }
@@ -131,7 +131,7 @@ private:
         if (expired(m_timer))
             return failedAlongPath(MotionCheck::Reason::PlanTooLong, fraction(a.time), 0.0, 0.0);
         const bool holds = strokesHold(a, b) && marginHolds(a, b);
-        if (holds || jointWay(b.time - a.time, a.path.arms().maxCoeff()) <= kResolution)
+        if (holds || jointTravel(b.time - a.time, a.path.arms().maxCoeff()) <= kResolution)
             return checkSample(b);
         const Sample middle = sample(0.5 * (a.time + b.time));
         if (const MotionCheck check = checkSegment(a, middle); !check.ok())

@@ -62,7 +62,7 @@ struct LogWriter::Impl {
     std::vector<SnapshotPtr> queue;
     std::uint64_t taken = 0;
     std::uint64_t lost = 0;
-    std::uint64_t lostUntold = 0; ///< since the last row that tells of it
+    std::uint64_t lostUnreported = 0; ///< since the last row that counts it
     std::string writeFailure;
     std::string faultFailure;
     std::vector<std::vector<SnapshotPtr>> faults; ///< to be written, each from the oldest cycle on
@@ -187,7 +187,7 @@ void LogWriter::Impl::format() {
     {
         const std::lock_guard lock(mutex);
         std::swap(queue, batch);
-        untold = std::exchange(lostUntold, 0);
+        untold = std::exchange(lostUnreported, 0);
     }
     if (untold > 0 && !batch.empty()) {
         auto last = std::make_shared<Snapshot>(*batch.back()); // others may read this one
@@ -228,7 +228,7 @@ void LogWriter::append(const SnapshotPtr& snapshot) {
         const std::lock_guard lock(m_impl->mutex);
         if (m_impl->queue.size() == kQueueRows) {
             ++m_impl->lost;
-            ++m_impl->lostUntold;
+            ++m_impl->lostUnreported;
             return;
         }
         m_impl->queue.push_back(snapshot);

@@ -17,7 +17,7 @@ namespace {
 constexpr double kSingularityMargin = 0.05;
 /// The strokes may leave little of a wide range; when it is less than one in so many, the range is the
 /// mistake.
-constexpr int kDrawsPerAttitude = 10000;
+constexpr int kDrawsPerPose = 10000;
 
 constexpr double kDefaultOffsetRange = 0.010;
 constexpr double kDefaultAngleRange = radiansFromDeg(10.0);
@@ -49,7 +49,7 @@ std::vector<Pose> randomPoses(const PlatformGeometry& geometry, int count, doubl
         int draws = 0;
         Pose pose;
         do {
-            if (++draws > kDrawsPerAttitude)
+            if (++draws > kDrawsPerPose)
                 throw InputError("attitudes",
                                  "the strokes of " + geometry.name + " leave nothing of the range asked for");
             PoseVector v;

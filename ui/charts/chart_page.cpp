@@ -94,10 +94,10 @@ ChartPage::ChartPage(const PlatformGeometry& geometry, QWidget* parent)
 
 void ChartPage::build() {
     m_subjects = new QButtonGroup(this);
-    m_attitude = makeToggle(*m_subjects, 0, this);
+    m_pose = makeToggle(*m_subjects, 0, this);
     m_legs = makeToggle(*m_subjects, 1, this);
     m_errors = makeToggle(*m_subjects, 2, this);
-    m_attitude->setChecked(true);
+    m_pose->setChecked(true);
     // Toggled and not clicked: a screen reader toggles.
     connect(m_subjects, &QButtonGroup::idToggled, this, [this](int id, bool on) {
         if (on) {
@@ -116,7 +116,7 @@ void ChartPage::build() {
 
     auto* bar = new QHBoxLayout;
     bar->setSpacing(6);
-    for (QWidget* widget : std::initializer_list<QWidget*>{m_attitude, m_legs, m_errors}) {
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_pose, m_legs, m_errors}) {
         bar->addWidget(widget);
     }
     bar->addStretch(1);
@@ -253,7 +253,7 @@ ChartSubject ChartPage::describe(std::size_t index) const {
                 -kErrorRange,
                 kErrorRange,
                 4};
-    case Subject::Attitude:
+    case Subject::Pose:
         break;
     }
     return {coordinate.symbol, coordinate.unit, kMeasured + index, kTarget + index, -reach, reach, decimals};
@@ -267,7 +267,7 @@ void ChartPage::applySubject() {
 }
 
 void ChartPage::retranslate() {
-    label(*m_attitude, tr("Pose"));
+    label(*m_pose, tr("Pose"));
     label(*m_legs, tr("Legs"));
     label(*m_errors, tr("Errors"));
     label(*m_pause, isPaused() ? tr("Resume") : tr("Pause"));

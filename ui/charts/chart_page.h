@@ -23,7 +23,7 @@ namespace hexapose {
 class ChartPage final : public QWidget {
     Q_OBJECT
 public:
-    enum class Subject { Attitude, Legs, Errors };
+    enum class Subject { Pose, Legs, Errors };
 
     explicit ChartPage(const PlatformGeometry& geometry, QWidget* parent = nullptr);
     void setColors(const ThemeColors& colors);
@@ -61,7 +61,7 @@ private:
     ChartHistory m_history;
     std::optional<ChartHistory> m_frozen; ///< what a paused page shows
     std::array<TimeChart*, 6> m_charts{};
-    Subject m_subject = Subject::Attitude;
+    Subject m_subject = Subject::Pose;
     double m_window;
     double m_now = 0.0;
     QTimer m_turn;
@@ -69,7 +69,7 @@ private:
     std::optional<double> m_cursor;
     bool m_gap = true;
     QButtonGroup* m_subjects;
-    QPushButton* m_attitude;
+    QPushButton* m_pose;
     QPushButton* m_legs;
     QPushButton* m_errors;
     QPushButton* m_pause;

@@ -27,12 +27,12 @@ constexpr std::array<int, 3> kSteps{100, 1000, 10000};
 constexpr int kDrawn = 1000; ///< steps of the picture and the table
 constexpr double kOrderAllowed = 0.1;
 
-struct Way {
+struct Method {
     const char* name;
     TrackOptions options;
     double order; ///< of pose and velocity
 };
-constexpr std::array<Way, 3> kWays{
+constexpr std::array<Method, 3> kMethods{
     {{"open, averages of steps (the paper)", {0, StepForm::Open, TrackRates::Averages}, 1.0},
      {"closed, equations", {0, StepForm::Closed, TrackRates::Equations}, 2.0},
      {"corrected, equations", {0, StepForm::Corrected, TrackRates::Equations}, 4.0}}};
@@ -46,8 +46,8 @@ StepSystem drivenPlatform(const PlatformGeometry& platform) {
     return {mechanism, platform.name};
 }
 
-Track trackOf(const StepSystem& system, const Way& way, int steps) {
-    TrackOptions options = way.options;
+Track trackOf(const StepSystem& system, const Method& method, int steps) {
+    TrackOptions options = method.options;
     options.steps = steps;
     return trackMotion(system, ReferenceDrive(system.mechanism(), kSeconds), options);
 }
@@ -59,11 +59,11 @@ Block errorBlock(const std::vector<std::vector<Largest>>& errors) {
     // In the order of kTrackQuantities; columns are counted in bytes, so there is no raised 2.
     block.header = {"largest error", "posture (deg)",   "ang. vel. (deg/s)", "ang. acc. (deg/s2)",
                     "position (mm)", "velocity (mm/s)", "accel. (mm/s2)"};
-    for (std::size_t way = 0; way < kWays.size(); ++way) {
-        block.rows.push_back({{kWays[way].name}, true});
+    for (std::size_t method = 0; method < kMethods.size(); ++method) {
+        block.rows.push_back({{kMethods[method].name}, true});
         for (std::size_t i = 0; i < kSteps.size(); ++i) {
             std::vector<std::string> cells{"  " + std::to_string(kSteps[i]) + " steps"};
-            for (const double error : errors[way][i])
+            for (const double error : errors[method][i])
                 cells.push_back(threeDigits(error));
             block.rows.push_back({cells, false});
         }
@@ -73,12 +73,12 @@ Block errorBlock(const std::vector<std::vector<Largest>>& errors) {
 
 std::vector<Check> checksOf(const std::vector<std::vector<Largest>>& errors) {
     std::vector<Check> checks;
-    for (std::size_t way = 0; way < 2; ++way) // the corrected form meets rounding
+    for (std::size_t method = 0; method < 2; ++method) // the corrected form meets rounding
         for (const std::size_t quantity : {3U, 4U, 5U})
             checks.push_back({std::string("order, ") + kTrackQuantities[quantity].title + ", " +
-                                  std::string(toWord(kWays[way].options.form)),
-                              kWays[way].order,
-                              std::log10(errors[way][0][quantity] / errors[way][1][quantity]),
+                                  std::string(toWord(kMethods[method].options.form)),
+                              kMethods[method].order,
+                              std::log10(errors[method][0][quantity] / errors[method][1][quantity]),
                               kOrderAllowed});
     return checks;
 }
@@ -89,14 +89,14 @@ std::vector<Check> checksOf(const std::vector<std::vector<Largest>>& errors) {
 Exhibit makeFigure16(Experiment& experiment, const Progress& progress) {
     using namespace figure16;
     const StepSystem system = drivenPlatform(experiment.platform());
-    std::vector<std::vector<Largest>> errors(kWays.size());
+    std::vector<std::vector<Largest>> errors(kMethods.size());
     Track published;
-    for (std::size_t way = 0; way < kWays.size(); ++way)
+    for (std::size_t method = 0; method < kMethods.size(); ++method)
         for (const int steps : kSteps) {
-            progress(static_cast<double>(way) / static_cast<double>(kWays.size()));
-            Track track = trackOf(system, kWays[way], steps);
-            errors[way].push_back(largestErrors(track));
-            if (way == 0 && steps == kDrawn)
+            progress(static_cast<double>(method) / static_cast<double>(kMethods.size()));
+            Track track = trackOf(system, kMethods[method], steps);
+            errors[method].push_back(largestErrors(track));
+            if (method == 0 && steps == kDrawn)
                 published = std::move(track);
         }
     Exhibit exhibit;

@@ -118,8 +118,8 @@ ForwardResult NewtonRaphson::solveCarefully(const LegLengths& lengths, const Pos
     NewtonRun run = attempt(from, StepGuard::Shorten);
     int iterations = run.iterations;
     if (run.end == NewtonEnd::Stationary) {
-        // That no pose has these lengths is much to say; it must hold for other ways and from other places
-        // too.
+        // That no pose has these lengths is much to say; it must hold for the other step rule and from other
+        // places too.
         const auto takes = [&](const Placement& place, StepGuard guard) {
             const NewtonRun other = attempt(place, guard);
             iterations += other.iterations;

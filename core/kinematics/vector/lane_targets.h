@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // To be included before anything of Highway. Of the vector units of x86-64, those that differ for this work:
 // without fused multiplication, with it, and with 512 bits; fewer mean less to compile. On other processors
-// the one that the compiler is told of: GCC cannot compile structures of vectors for several in one file
+// the one that the compiler targets: GCC cannot compile structures of vectors for several in one file
 // there. None whose length is known only when the program runs, for these cannot be members.
 #pragma once
 

@@ -147,7 +147,7 @@ TEST(ErrorCsv, HoldsEverySampleUnderItsNames) {
     EXPECT_NE(value(1, "x_target_mm"), "");
 }
 
-TEST(RandomAttitudes, AreSeededReachableAndInRange) {
+TEST(RandomPoses, AreSeededReachableAndInRange) {
     const PlatformGeometry geometry = laboratory();
     const auto poses = randomPoses(geometry, 500, 0.06, 0.4, 11);
     const auto again = randomPoses(geometry, 500, 0.06, 0.4, 11);
@@ -170,7 +170,7 @@ TEST(RandomAttitudes, AreSeededReachableAndInRange) {
         << "the box is used";
 }
 
-TEST(RandomAttitudes, RefusesWhatCannotBeDrawn) {
+TEST(RandomPoses, RefusesWhatCannotBeDrawn) {
     PlatformGeometry stiff = laboratory();
     for (Leg& leg : stiff.legs)
         leg.maxLength = (leg.minLength = 0.1) + 1e-3;
@@ -180,7 +180,7 @@ TEST(RandomAttitudes, RefusesWhatCannotBeDrawn) {
     EXPECT_TRUE(randomPoses(laboratory(), 0, 0.01, 0.1, 1).empty());
 }
 
-TEST(DefaultAttitudes, FitMachinesOfShortStroke) {
+TEST(DefaultPoses, FitMachinesOfShortStroke) {
     const auto usual = defaultPoses(laboratory(), 10, 1);
     EXPECT_EQ(usual.front().toVector(),
               randomPoses(laboratory(), 10, 0.01, radiansFromDeg(10.0), 1).front().toVector());

@@ -117,14 +117,14 @@ TEST_F(GuidedTestTest, StopAndAFailureEndItWithoutAResult) {
     EXPECT_TRUE(spoken("Test progress").contains(QStringLiteral("overheated")));
 }
 
-TEST(GuidedAttitude, IsSmallerWhereTheMachineReachesLess) {
+TEST(GuidedPose, IsSmallerWhereTheMachineReachesLess) {
     PlatformGeometry small = laboratoryPlatform();
     for (Leg& leg : small.legs) {
         leg.minLength = 0.290;
         leg.maxLength = 0.312;
     }
     const MotionPlanner planner(makeModel(small), plannerSettings({}, small));
-    const auto attitude = guidedAttitude(planner, Pose{}, MotionMode::Workspace);
+    const auto attitude = guidedPose(planner, Pose{}, MotionMode::Workspace);
     ASSERT_TRUE(attitude);
     EXPECT_TRUE(planner.check(Pose{}, *attitude, MotionMode::Workspace).ok());
     EXPECT_LT(attitude->offset[2], 0.040);

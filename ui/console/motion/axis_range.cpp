@@ -18,7 +18,7 @@ constexpr int kMarginSteps = 16; ///< the singularity margin changes slowly, and
 using Allowed = std::function<bool(double)>;
 
 /// How far every pose is allowed: looked at in `steps`, the end halved down to.
-double allowedWay(double reach, int steps, const Allowed& allowed) {
+double allowedTravel(double reach, int steps, const Allowed& allowed) {
     double good = 0.0;
     double bad = reach;
     for (int step = 1; step <= steps; ++step) {
@@ -56,7 +56,7 @@ axisRange(const PlatformGeometry& geometry, const MotionLimits& limits, const Po
     }
     const PoseVector start = pose.toVector();
     const auto end = [&](double reach) {
-        return start[coordinate] + allowedWay(reach, kStepsOut, [&](double offset) {
+        return start[coordinate] + allowedTravel(reach, kStepsOut, [&](double offset) {
                    PoseVector at = start;
                    at[coordinate] += offset;
                    return inStrokes(geometry, limits, Pose::fromVector(at));
@@ -72,12 +72,12 @@ std::optional<double> jogRange(const MotionPlanner& planner, const Pose& pose,
         return std::nullopt;
     }
     const MotionLimits& limits = planner.limits();
-    const double strokes = allowedWay(reachOf(limits, direction.axis), kStepsOut, [&](double way) {
-        const Pose at = stepped(pose, direction, way);
+    const double strokes = allowedTravel(reachOf(limits, direction.axis), kStepsOut, [&](double travel) {
+        const Pose at = stepped(pose, direction, travel);
         return inStrokes(planner.model().geometry(), limits, at) && !outsideEnvelope(limits.envelope, at);
     });
-    return allowedWay(strokes, kMarginSteps,
-                      [&](double way) { return planner.check(stepped(pose, direction, way)).ok(); });
+    return allowedTravel(strokes, kMarginSteps,
+                         [&](double travel) { return planner.check(stepped(pose, direction, travel)).ok(); });
 }
 
 } // namespace hexapose

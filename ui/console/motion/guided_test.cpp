@@ -14,15 +14,15 @@ constexpr int kMostHalvings = 12;
 // Longer than the second over which the lengths are averaged: the sample ends it, not the time.
 constexpr std::chrono::seconds kStandsFor{3600};
 
-Pose publishedAttitude() {
+Pose publishedPose() {
     return {{metresFromMm(12.0), metresFromMm(-4.0), metresFromMm(40.0)}, {0.0, 0.0, radiansFromDeg(5.0)}};
 }
 
 } // namespace
 
-std::optional<Pose> guidedAttitude(const MotionPlanner& planner, const std::optional<Pose>& from,
-                                   MotionMode mode) {
-    const PoseVector published = publishedAttitude().toVector();
+std::optional<Pose> guidedPose(const MotionPlanner& planner, const std::optional<Pose>& from,
+                               MotionMode mode) {
+    const PoseVector published = publishedPose().toVector();
     double part = 1.0;
     for (int i = 0; i < kMostHalvings; ++i, part *= 0.5) {
         const Pose pose = Pose::fromVector(part * published);

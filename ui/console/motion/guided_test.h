@@ -11,12 +11,12 @@
 
 namespace hexapose {
 
-/// The attitude of the published test, or one like it that a machine can reach: half of it, a quarter ...
+/// The pose of the published test, or one like it that a machine can reach: half of it, a quarter ...
 /// Nothing where even home cannot be reached.
-std::optional<Pose> guidedAttitude(const MotionPlanner& planner, const std::optional<Pose>& from,
-                                   MotionMode mode);
+std::optional<Pose> guidedPose(const MotionPlanner& planner, const std::optional<Pose>& from,
+                               MotionMode mode);
 
-/// The published physical test: one attitude, settled, its lengths averaged for a second, solved and
+/// The published physical test: one pose, settled, its lengths averaged for a second, solved and
 /// compared. Fed with snapshots; pure.
 class GuidedTest {
 public:

@@ -63,7 +63,7 @@ void GuidedTestPanel::start() {
     if (isRunning() || !m_solver || !m_ready) {
         return;
     }
-    const auto target = guidedAttitude(m_planner, m_measured, m_mode);
+    const auto target = guidedPose(m_planner, m_measured, m_mode);
     if (!target) {
         tell([] { return tr("No pose of this test can be reached from here. Nothing moved."); });
         return;

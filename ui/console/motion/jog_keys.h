@@ -19,9 +19,9 @@ inline std::optional<std::pair<int, bool>> jogKey(int key, Qt::KeyboardModifiers
         return std::nullopt;
     }
     const int turn = modifiers & Qt::ShiftModifier ? 3 : 0;
-    for (const auto& [known, way] : kKeys) {
+    for (const auto& [known, jog] : kKeys) {
         if (known == key) {
-            return std::pair(way.first + turn, way.second);
+            return std::pair(jog.first + turn, jog.second);
         }
     }
     return std::nullopt;

@@ -144,8 +144,8 @@ std::optional<JogDirection> JogPanel::directionOfKey(const QObject* at, const QK
         const auto index = static_cast<int>(found - m_buttons.begin());
         return directionOf(index / 2, index % 2 == 1);
     }
-    const auto way = jogKey(key.key(), key.modifiers());
-    return way ? std::optional(directionOf(way->first, way->second)) : std::nullopt;
+    const auto jog = jogKey(key.key(), key.modifiers());
+    return jog ? std::optional(directionOf(jog->first, jog->second)) : std::nullopt;
 }
 
 bool JogPanel::keyPressed(const QObject* at, const QKeyEvent& key) {

@@ -113,10 +113,10 @@ void JogPanel::showRanges() {
     const bool live = m_connected && !m_latest.stale && m_latest.measuredPose;
     for (int axis = 0; axis < 6; ++axis) {
         for (const bool up : {false, true}) {
-            const auto way =
+            const auto free =
                 live ? jogRange(m_planner, *m_latest.measuredPose, directionOf(axis, up)) : std::nullopt;
             m_ranges[slot(axis, up)]->setText(
-                way ? QString::fromStdString(formatFixed(toDisplay(axis, *way), 1)) : ReadOut::dash());
+                free ? QString::fromStdString(formatFixed(toDisplay(axis, *free), 1)) : ReadOut::dash());
         }
     }
 }

@@ -25,8 +25,8 @@ namespace hexapose {
 
 namespace {
 
-// The list of Figure 8: 10 attitudes within +-10 mm and +-10 degrees.
-constexpr int kAttitudes = 10;
+// The list of Figure 8: 10 poses ("attitudes" there) within +-10 mm and +-10 degrees.
+constexpr int kPoses = 10;
 constexpr std::uint64_t kSeed = 1;
 
 } // namespace
@@ -130,7 +130,7 @@ void ReportPanel::advance(const std::optional<Pose>& next) {
 
 void ReportPanel::runReport() {
     try {
-        runList(m_listFile.isEmpty() ? defaultPoses(m_geometry, kAttitudes, kSeed)
+        runList(m_listFile.isEmpty() ? defaultPoses(m_geometry, kPoses, kSeed)
                                      : readPoseList(m_listFile.toStdString()));
     } catch (const InputError& error) {
         const QString reason = QString::fromUtf8(error.what());
@@ -142,9 +142,9 @@ void ReportPanel::runReport() {
     }
 }
 
-void ReportPanel::runList(std::vector<Pose> attitudes) {
-    const MotionId first = m_ids.take(attitudes.size());
-    m_sequence.emplace(std::move(attitudes), kSampleDwell, first);
+void ReportPanel::runList(std::vector<Pose> poses) {
+    const MotionId first = m_ids.take(poses.size());
+    m_sequence.emplace(std::move(poses), kSampleDwell, first);
     updateRun();
     showProgress();
 }
@@ -178,7 +178,7 @@ void ReportPanel::rebuildReport() {
 
 void ReportPanel::exportReport() {
     if (m_samples.empty()) {
-        // An attitude that has stood for half of its time is good enough for who asks now.
+        // A pose that has stood for half of its time is good enough for who asks now.
         SettledSampler ended = m_sampler;
         if (const auto sample = ended.finish()) {
             m_sampler = SettledSampler();

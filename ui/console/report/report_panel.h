@@ -26,7 +26,7 @@ class ReportPreview;
 class ReportWriter;
 class TextReadOut;
 
-/// The error report: samples of settled attitudes, from single Runs or from a list that it runs through; a
+/// The error report: samples of settled poses, from single Runs or from a list that it runs through; a
 /// table, a preview, and the files.
 class ReportPanel final : public QWidget {
     Q_OBJECT
@@ -46,9 +46,9 @@ public:
     int sampleCount() const { return static_cast<int>(m_samples.size()); }
     const ErrorReport& report() const { return m_report; }
 
-    /// Runs through attitudes from the beginning. The samples so far are discarded when the loop accepts the
+    /// Runs through poses from the beginning. The samples so far are discarded when the loop accepts the
     /// first: a Run that is refused leaves them.
-    void runList(std::vector<Pose> attitudes);
+    void runList(std::vector<Pose> poses);
     bool isRunning() const;
     /// How far the list is, or why it ended early.
     QString progressText() const;
@@ -56,7 +56,7 @@ public:
 
 public slots:
     void runReport();
-    /// Writes the files, on a thread of its own; with no sample yet, as soon as the first attitude has
+    /// Writes the files, on a thread of its own; with no sample yet, as soon as the first pose has
     /// settled.
     void exportReport();
 
