@@ -9,6 +9,7 @@
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <utility>
 
 namespace hexapose {
 
@@ -34,7 +35,7 @@ public:
 /// Plans at once, on the caller's thread: for a loop in a time of its own, which waits for nobody.
 class ImmediatePlanner final : public Planner {
 public:
-    explicit ImmediatePlanner(const PlatformGeometry& geometry) : m_model(makeModel(geometry)) {}
+    explicit ImmediatePlanner(SharedModel model) : m_model(std::move(model)) {}
     void submit(const PlanJob& job) override;
     std::shared_ptr<const PlannedMotion> take() override;
 

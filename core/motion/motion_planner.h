@@ -77,6 +77,7 @@ public:
     void setControllerLimits(std::optional<double> minLength, std::optional<double> maxLength);
 
     const PlatformModel& model() const { return *m_model; }
+    const SharedModel& sharedModel() const { return m_model; }
     const Settings& settings() const { return m_settings; }
     const MotionLimits& limits() const { return m_limits; }
     /// Of a motion that begins at this pose.

@@ -101,7 +101,7 @@ TEST_F(ControlLoopMotion, APlanThatComesWithTheRunIsUsedIfItStillFits) {
     limits.legAcceleration = options.bounds.legAcceleration;
     const auto planFor = [&](const MotionLimits& under) {
         return std::make_shared<const PlannedMotion>(planMotion(
-            m_geometry, options.bounds, under, options.settleWindow.distance,
+            *m_model, options.bounds, under, options.settleWindow.distance,
             {*m_last.commandedLengths, *m_last.measuredPose}, StraightMove{target(), MotionMode::Workspace}));
     };
     m_loop->post(RunCommand{target(), MotionMode::Workspace, 42, planFor(limits)});
@@ -114,7 +114,7 @@ TEST_F(ControlLoopMotion, APlanThatComesWithTheRunIsUsedIfItStillFits) {
     high.offset.z() = 0.090;
     limits.maxLength.setConstant(1.0);
     const auto wide = std::make_shared<const PlannedMotion>(planMotion(
-        m_geometry, options.bounds, limits, options.settleWindow.distance,
+        *m_model, options.bounds, limits, options.settleWindow.distance,
         {*m_last.commandedLengths, *m_last.measuredPose}, StraightMove{high, MotionMode::Workspace}));
     ASSERT_TRUE(wide->check.ok());
     m_events.clear();
@@ -127,7 +127,7 @@ TEST_F(ControlLoopMotion, APlanThatComesWithTheRunIsUsedIfItStillFits) {
 /// Hands out its plan once the test allows it.
 class SlowPlanner final : public Planner {
 public:
-    explicit SlowPlanner(const PlatformGeometry& geometry) : m_planner(geometry) {}
+    explicit SlowPlanner(SharedModel model) : m_planner(std::move(model)) {}
     void submit(const PlanJob& job) override {
         m_planner.submit(job);
         ++submitted;
@@ -141,7 +141,7 @@ private:
 };
 
 TEST_F(ControlLoopMotion, SetPointsGoOnWhileAMotionIsPlanned) {
-    auto owned = std::make_unique<SlowPlanner>(m_geometry);
+    auto owned = std::make_unique<SlowPlanner>(m_model);
     SlowPlanner& planner = *owned;
     rebuild({}, std::move(owned));
     enable();
@@ -175,7 +175,7 @@ TEST_F(ControlLoopMotion, SetPointsGoOnWhileAMotionIsPlanned) {
 }
 
 TEST_F(ControlLoopMotion, APlanWhoseStartIsLeftIsMadeAnewAndThenRefused) {
-    auto owned = std::make_unique<SlowPlanner>(m_geometry);
+    auto owned = std::make_unique<SlowPlanner>(m_model);
     SlowPlanner& planner = *owned;
     planner.ready = true;
     rebuild({}, std::move(owned));

@@ -56,7 +56,7 @@ protected:
 
     SessionSetup setup() const {
         SessionSetup setup;
-        setup.geometry = geometry;
+        setup.model = model;
         setup.solver = std::make_shared<NewtonRaphson>(geometry, NewtonOptions{});
         setup.logDirectory = folder;
         setup.control.staleAfter = 60s;
@@ -88,6 +88,7 @@ protected:
     }
 
     PlatformGeometry geometry;
+    SharedModel model = makeModel(geometry);
     fs::path folder;
     std::unique_ptr<VirtualPlatformServer> server;
 };

@@ -32,7 +32,8 @@ using namespace hexapose::testing;
 
 class ControlsTest : public ::testing::Test {
 protected:
-    ControlsTest() : geometry(laboratoryPlatform()), window(geometry, [] { return QStringList(); }) {
+    ControlsTest()
+        : geometry(laboratoryPlatform()), window(makeModel(geometry), [] { return QStringList(); }) {
         window.connectionPanel().setAvailable(true);
         box("Connection").setEditText(QStringLiteral("/dev/ttyS7")); // the baud rate is of use there alone
         window.motionPanel().wayPoints().table().setPoses(

@@ -18,7 +18,7 @@ using namespace hexapose::testing;
 
 class GuidedTestTest : public ::testing::Test {
 protected:
-    GuidedTestTest() : geometry(laboratoryPlatform()), panel(geometry) {
+    GuidedTestTest() : geometry(laboratoryPlatform()), panel(makeModel(geometry)) {
         QObject::connect(&panel, &GuidedTestPanel::runRequested, [this](const Pose& pose, MotionId id) {
             asked.push_back(pose);
             lastId = id;

@@ -28,7 +28,7 @@ using namespace hexapose::testing;
 
 class MotionPanelTest : public ::testing::Test {
 protected:
-    MotionPanelTest() : geometry(laboratoryPlatform()), panel(geometry) {
+    MotionPanelTest() : geometry(laboratoryPlatform()), panel(makeModel(geometry)) {
         QObject::connect(&panel, &MotionPanel::commandRequested,
                          [this](const OperatorCommand& command) { commands.push_back(command); });
         panel.show();

@@ -40,9 +40,10 @@ constexpr int kPatienceMs = 20000; // only against hanging
 
 class OperatorWindowTest : public ::testing::Test {
 protected:
-    OperatorWindowTest() : geometry(laboratoryPlatform()), window(geometry, [] { return QStringList(); }) {
+    OperatorWindowTest()
+        : geometry(laboratoryPlatform()), window(makeModel(geometry), [] { return QStringList(); }) {
         SessionSetup setup;
-        setup.geometry = geometry;
+        setup.model = makeModel(geometry);
         setup.solver = newtonSolver(geometry);
         setup.logDirectory = folder.path().toStdString();
         window.setSession(std::make_unique<Session>(

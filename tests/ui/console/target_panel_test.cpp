@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/kinematics/inverse_kinematics.h"
 #include "core/record/motion_check_words.h"
 #include "tests/ui/console/synthetic_machine.h"
 #include "tests/ui/screen_reader.h"
@@ -19,6 +18,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 namespace hexapose {
 namespace {
 
@@ -26,7 +28,7 @@ using namespace hexapose::testing;
 
 class TargetPanelTest : public ::testing::Test {
 protected:
-    TargetPanelTest() : geometry(laboratoryPlatform()), panel(geometry) { panel.show(); }
+    TargetPanelTest() : geometry(laboratoryPlatform()), panel(makeModel(geometry)) { panel.show(); }
 
     void type(const char* field, const char* text) {
         auto* found = qobject_cast<NumberField*>(findByName(panel, QString::fromLatin1(field)));
@@ -225,24 +227,59 @@ TEST_F(TargetPanelTest, TheLampJudgesTheWayOfTheMode) {
     EXPECT_EQ(validity(), "Reachable");
 }
 
-TEST(AxisRange, EndsWhereALegMeetsItsStroke) {
-    constexpr double kMetres = 2e-4; // of the bisection
-    const PlatformGeometry geometry = laboratoryPlatform();
-    const MotionLimits limits = motionLimits(geometry, {}, {});
+constexpr double kRangeResolution = 2e-4; // m or rad, of the bisection
+
+MotionPlanner plannerWithin(double furthestMetres) {
+    ControlOptions options;
+    options.envelope.furthest.head<3>().setConstant(furthestMetres);
+    const SharedModel model = makeModel(laboratoryPlatform());
+    return {model, plannerSettings(options, model->geometry())};
+}
+
+Pose alongAxis(int axis, double value) {
+    PoseVector at = PoseVector::Zero();
+    at[axis] = value;
+    return Pose::fromVector(at);
+}
+
+TEST(AxisRange, EndsWhereTheFirstLimitIsMet) {
+    const MotionPlanner planner = plannerWithin(std::numeric_limits<double>::infinity());
     for (int axis = 0; axis < 6; ++axis) {
-        const auto range = axisRange(geometry, limits, Pose{}, axis);
+        const auto range = axisRange(planner, Pose{}, axis);
         ASSERT_TRUE(range);
         for (const double end : {range->first, range->second}) {
-            PoseVector at = PoseVector::Zero();
-            at[axis] = end;
-            const LegLengths lengths = legLengths(geometry, Pose::fromVector(at));
-            const double gap =
-                std::min((limits.maxLength - lengths).minCoeff(), (lengths - limits.minLength).minCoeff());
-            EXPECT_GE(gap, 0.0) << axis;
-            EXPECT_LT(gap, kMetres) << axis;
+            EXPECT_TRUE(planner.check(alongAxis(axis, end)).ok()) << axis;
+            const double beyond = end + std::copysign(kRangeResolution, end);
+            EXPECT_FALSE(planner.check(alongAxis(axis, beyond)).ok()) << axis;
         }
     }
-    EXPECT_FALSE(axisRange(geometry, limits, poseOf(0, 0, 300, 0, 0, 0), 0));
+    EXPECT_FALSE(axisRange(planner, poseOf(0, 0, 300, 0, 0, 0), 0));
+}
+
+TEST(AxisRange, EndsAtTheEnvelope) {
+    constexpr double kFurthest = 0.005;
+    const MotionPlanner planner = plannerWithin(kFurthest);
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto range = axisRange(planner, Pose{}, axis);
+        ASSERT_TRUE(range);
+        EXPECT_NEAR(range->first, -kFurthest, kRangeResolution) << axis;
+        EXPECT_NEAR(range->second, kFurthest, kRangeResolution) << axis;
+    }
+}
+
+TEST(AxisRange, EndsAtTheSingularityMargin) {
+    constexpr int kGamma = 5;
+    constexpr double kMargin = 0.05;
+    PlatformGeometry roomy = laboratoryPlatform();
+    for (Leg& leg : roomy.legs) {
+        leg.minLength *= 0.5;
+        leg.maxLength *= 2.0;
+    }
+    const MotionPlanner planner(makeModel(roomy), plannerSettings({}, roomy));
+    const auto range = axisRange(planner, Pose{}, kGamma);
+    ASSERT_TRUE(range);
+    EXPECT_NEAR(planner.model().singularity(alongAxis(kGamma, range->second)).smallestSingularValue, kMargin,
+                kRangeResolution);
 }
 
 TEST(AxisRange, OfAJogEndsWhereTheJogWould) {

@@ -21,7 +21,7 @@ using namespace hexapose::testing;
 
 class WayPointsTest : public ::testing::Test {
 protected:
-    WayPointsTest() : geometry(laboratoryPlatform()), panel(geometry) {
+    WayPointsTest() : geometry(laboratoryPlatform()), panel(makeModel(geometry)) {
         QObject::connect(&panel, &WayPointsPanel::runRequested, [this](const Pose& pose, MotionId id) {
             asked.push_back(pose);
             lastId = id;

@@ -33,9 +33,10 @@ std::optional<Pose> guidedPose(const MotionPlanner& planner, const std::optional
     return std::nullopt;
 }
 
-GuidedTest::GuidedTest(const PlatformGeometry& geometry, std::shared_ptr<const ForwardSolver> solver,
-                       const Pose& target, MotionId id)
-    : m_geometry(geometry), m_solver(std::move(solver)), m_target(target), m_run({target}, kStandsFor, id) {}
+GuidedTest::GuidedTest(SharedModel model, std::shared_ptr<const ForwardSolver> solver, const Pose& target,
+                       MotionId id)
+    : m_model(std::move(model)), m_solver(std::move(solver)), m_target(target),
+      m_run({target}, kStandsFor, id) {}
 
 std::optional<Pose> GuidedTest::add(const Snapshot& snapshot) {
     if (m_step == Step::Done || m_step == Step::Failed) {
@@ -47,7 +48,7 @@ std::optional<Pose> GuidedTest::add(const Snapshot& snapshot) {
         m_step = Step::Failed;
     } else if (sample && m_step == Step::Average) {
         m_step = Step::Solve;
-        const ErrorReport report = makeErrorReport(m_geometry, *m_solver, {*sample});
+        const ErrorReport report = makeErrorReport(m_model->geometry(), *m_solver, {*sample});
         m_result = report.rows.front();
         m_step = Step::Done;
     } else if (m_run.phase() == PoseSequence::Phase::Dwelling) {

@@ -22,8 +22,8 @@ class GuidedTest {
 public:
     enum class Step { Move, Settle, Average, Solve, Done, Failed };
 
-    GuidedTest(const PlatformGeometry& geometry, std::shared_ptr<const ForwardSolver> solver,
-               const Pose& target, MotionId id);
+    GuidedTest(SharedModel model, std::shared_ptr<const ForwardSolver> solver, const Pose& target,
+               MotionId id);
     /// The target, when its Run is due.
     std::optional<Pose> add(const Snapshot& snapshot);
     Step step() const { return m_step; }
@@ -35,7 +35,7 @@ public:
     const PoseSequence& run() const { return m_run; }
 
 private:
-    PlatformGeometry m_geometry;
+    SharedModel m_model;
     std::shared_ptr<const ForwardSolver> m_solver;
     Pose m_target;
     PoseSequence m_run;

@@ -15,8 +15,8 @@
 // What the guided test does; guided_test_layout.cpp is how it looks and what it says.
 namespace hexapose {
 
-GuidedTestPanel::GuidedTestPanel(const PlatformGeometry& geometry, QWidget* parent)
-    : QWidget(parent), m_planner(makeModel(geometry), plannerSettings({}, geometry)),
+GuidedTestPanel::GuidedTestPanel(const SharedModel& model, QWidget* parent)
+    : QWidget(parent), m_planner(model, plannerSettings({}, model->geometry())),
       m_start(new QPushButton(this)) {
     m_start->setProperty("kind", "primary");
     m_start->setObjectName(QStringLiteral("guidedTest"));
@@ -68,7 +68,7 @@ void GuidedTestPanel::start() {
         tell([] { return tr("No pose of this test can be reached from here. Nothing moved."); });
         return;
     }
-    m_test.emplace(m_planner.model().geometry(), m_solver, *target, m_ids.take());
+    m_test.emplace(m_planner.sharedModel(), m_solver, *target, m_ids.take());
     m_ended = false;
     tell([] { return tr("The test is under way; Stop ends it"); });
     showSteps();

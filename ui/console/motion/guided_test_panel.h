@@ -26,7 +26,7 @@ class TextReadOut;
 class GuidedTestPanel final : public QWidget {
     Q_OBJECT
 public:
-    explicit GuidedTestPanel(const PlatformGeometry& geometry, QWidget* parent = nullptr);
+    explicit GuidedTestPanel(const SharedModel& model, QWidget* parent = nullptr);
 
     void setControl(const ControlOptions& options) {
         m_planner.setSettings(plannerSettings(options, m_planner.model().geometry()));

@@ -25,11 +25,11 @@ constexpr int kStopHeight = 38;
 constexpr int kWorkspaceIndex = 1;
 } // namespace
 
-MotionPanel::MotionPanel(const PlatformGeometry& geometry, QWidget* parent)
+MotionPanel::MotionPanel(const SharedModel& model, QWidget* parent)
     : Card(parent), m_modeLabel(new QLabel(this)), m_mode(new QComboBox(this)),
       m_speed(new SpeedControl(this)), m_tabs(new QTabBar(this)), m_stack(new QStackedWidget(this)),
-      m_target(new TargetPanel(geometry, this)), m_jog(new JogPanel(geometry, this)),
-      m_wayPoints(new WayPointsPanel(geometry, this)), m_test(new GuidedTestPanel(geometry, this)),
+      m_target(new TargetPanel(model, this)), m_jog(new JogPanel(model, this)),
+      m_wayPoints(new WayPointsPanel(model, this)), m_test(new GuidedTestPanel(model, this)),
       m_stop(new QPushButton(this)) {
     build();
     wire();

@@ -37,8 +37,8 @@ QString rangeText(const std::pair<double, double>& range, int coordinate) {
 
 } // namespace
 
-TargetPanel::TargetPanel(const PlatformGeometry& geometry, QWidget* parent)
-    : QWidget(parent), m_planner(makeModel(geometry), plannerSettings({}, geometry)) {
+TargetPanel::TargetPanel(const SharedModel& model, QWidget* parent)
+    : QWidget(parent), m_planner(model, plannerSettings({}, model->geometry())) {
     build();
     setTarget(Pose{});
     setConnected(false);
@@ -272,9 +272,7 @@ void TargetPanel::showRanges() {
             label.setText(field.refusal());
             continue;
         }
-        const auto range = m_measured ? axisRange(m_planner.model().geometry(),
-                                                  m_planner.limitsAt(*m_measured), *m_measured, i)
-                                      : std::nullopt;
+        const auto range = m_measured ? axisRange(m_planner, *m_measured, i) : std::nullopt;
         label.setText(range ? rangeText(*range, i) : ReadOut::dash());
     }
 }

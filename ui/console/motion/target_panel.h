@@ -26,7 +26,7 @@ class TextReadOut;
 class TargetPanel final : public QWidget {
     Q_OBJECT
 public:
-    explicit TargetPanel(const PlatformGeometry& geometry, QWidget* parent = nullptr);
+    explicit TargetPanel(const SharedModel& model, QWidget* parent = nullptr);
 
     void setControl(const ControlOptions& options);
     void setConnected(bool connected);

@@ -26,8 +26,8 @@ namespace {
 constexpr std::chrono::nanoseconds kNoDwell{0}; // it has settled; there is nothing to wait for
 }
 
-WayPointsPanel::WayPointsPanel(const PlatformGeometry& geometry, QWidget* parent)
-    : QWidget(parent), m_planner(makeModel(geometry), plannerSettings({}, geometry)) {
+WayPointsPanel::WayPointsPanel(const SharedModel& model, QWidget* parent)
+    : QWidget(parent), m_planner(model, plannerSettings({}, model->geometry())) {
     build();
     m_text = [] { return tr("Add poses, or load them; nothing moves until Play or Step"); };
     retranslate();
