@@ -36,7 +36,6 @@ namespace hexapose {
 namespace {
 
 using namespace hexapose::testing;
-constexpr int kPatienceMs = 20000; // only against hanging
 
 class OperatorWindowTest : public ::testing::Test {
 protected:
@@ -91,6 +90,7 @@ TEST_F(OperatorWindowTest, OperatorsMainJob) {
     ASSERT_TRUE(waitFor([this] { return button("Run")->isEnabled() && spoken("Measured x") == "0.000"; }));
     type("Target x", "2");
     type("Target gamma", "1.5");
+    ASSERT_TRUE(waitFor([this] { return button("Run")->isEnabled(); }));
     EXPECT_EQ(spoken("Validity"), "Reachable");
     button("Run")->click();
     ASSERT_TRUE(waitFor([this] { return happened("Settled after"); }));
@@ -291,7 +291,7 @@ TEST_F(OperatorWindowTest, NothingThatIsRefusedEndsAListOrItsHold) {
         button(name)->click();
     }
     // Whoever asks all the same is refused by the loop.
-    emit window.targetPanel().runRequested(poseOf(0, 0, 5, 0, 0, 0), 1234);
+    emit window.targetPanel().runRequested(poseOf(0, 0, 5, 0, 0, 0), 1234, {});
     window.reportPanel().runList({poseOf(1, 0, 0, 0, 0, 0)});
     ASSERT_TRUE(waitFor([this] { return !window.reportPanel().isRunning(); }));
     ASSERT_TRUE(waitFor([this] { return happened("cannot be carried out"); }));

@@ -20,17 +20,18 @@ Pose publishedPose() {
 
 } // namespace
 
-std::optional<Pose> guidedPose(const MotionPlanner& planner, const std::optional<Pose>& from,
-                               MotionMode mode) {
+SharedPlan guidedPlan(const MotionPlanner& planner, const PlanStart& start, MotionMode mode,
+                      const PlanBudget& budget) {
     const PoseVector published = publishedPose().toVector();
     double part = 1.0;
     for (int i = 0; i < kMostHalvings; ++i, part *= 0.5) {
         const Pose pose = Pose::fromVector(part * published);
-        if ((from ? planner.check(*from, pose, mode) : planner.check(pose)).ok()) {
-            return pose;
+        PlannedMotion plan = planner.plan(start, StraightMove{pose, mode}, budget);
+        if (plan.check.ok()) {
+            return std::make_shared<const PlannedMotion>(std::move(plan));
         }
     }
-    return std::nullopt;
+    return nullptr;
 }
 
 GuidedTest::GuidedTest(SharedModel model, std::shared_ptr<const ForwardSolver> solver, const Pose& target,

@@ -11,10 +11,10 @@
 
 namespace hexapose {
 
-/// The pose of the published test, or one like it that a machine can reach: half of it, a quarter ...
-/// Nothing where even home cannot be reached.
-std::optional<Pose> guidedPose(const MotionPlanner& planner, const std::optional<Pose>& from,
-                               MotionMode mode);
+/// Plans the way to the pose of the published test, or to one like it that a machine can reach: half of it, a
+/// quarter ... Null where even home cannot be reached.
+SharedPlan guidedPlan(const MotionPlanner& planner, const PlanStart& start, MotionMode mode,
+                      const PlanBudget& budget = {});
 
 /// The published physical test: one pose, settled, its lengths averaged for a second, solved and
 /// compared. Fed with snapshots; pure.

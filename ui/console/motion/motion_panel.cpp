@@ -80,8 +80,8 @@ void MotionPanel::wire() {
 
     // What is asked for here changes nothing by itself: a list or a test ends when the loop has accepted
     // another motion, which it sees in the snapshots.
-    const auto run = [this](const Pose& pose, MotionId id) {
-        emit commandRequested(RunCommand{pose, mode(), id});
+    const auto run = [this](const Pose& pose, MotionId id, const SharedPlan& plan) {
+        emit commandRequested(RunCommand{pose, mode(), id, plan});
     };
     connect(m_target, &TargetPanel::runRequested, this, run);
     connect(m_wayPoints, &WayPointsPanel::runRequested, this, run);
