@@ -33,6 +33,7 @@ constexpr Subcommand kSubcommands[] = {
     {"simulate", simulateCommand, false, "a virtual platform on a pseudo-terminal"},
     {"run", runCommand, true, "move a platform through a list of poses, and report"},
     {"report", reportCommand, true, "the error report of a recorded run"},
+    {"summary", summaryCommand, false, "count, extremes, mean and deviation of the columns of a log"},
     {"track", trackCommand, true, "the motion of a mechanism over a drive, by finite-step integration"},
     {"reproduce", reproduceCommand, true, "the published tables and figures beside measured values"},
     {"experiment", experimentCommand, true, "closed loop: joint mode against workspace mode, simulated"},
