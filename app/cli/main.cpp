@@ -34,6 +34,8 @@ constexpr Subcommand kSubcommands[] = {
     {"run", runCommand, true, "move a platform through a list of poses, and report"},
     {"report", reportCommand, true, "the error report of a recorded run"},
     {"summary", summaryCommand, false, "count, extremes, mean and deviation of the columns of a log"},
+    {"verify", verifyCommand, false, "solve the recorded lengths of a log again, and list what differs"},
+    {"compare", compareCommand, false, "how much the columns of two logs differ"},
     {"track", trackCommand, true, "the motion of a mechanism over a drive, by finite-step integration"},
     {"reproduce", reproduceCommand, true, "the published tables and figures beside measured values"},
     {"experiment", experimentCommand, true, "closed loop: joint mode against workspace mode, simulated"},
