@@ -11,6 +11,8 @@
 #include "ui/console/motion/named_poses.h"
 #include "ui/console/motion/target_panel.h"
 
+#include <QAbstractItemView>
+#include <QApplication>
 #include <QComboBox>
 #include <QLineEdit>
 #include <QPushButton>
@@ -209,6 +211,45 @@ TEST_F(TargetPanelTest, PosesAreKeptChosenReplacedAndRemovedByTheirNames) {
     EXPECT_EQ(panel.namedPoses().poses().size(), 1U);
     EXPECT_EQ(changes.count(), 4);
     EXPECT_EQ(runs.count(), 0);
+}
+
+TEST_F(TargetPanelTest, ANameThatIsTypedLoadsNothing) {
+    panel.namedPoses().setPoses({{QStringLiteral("park"), poseOf(0, 0, 30, 0, 0, 0)}});
+    panel.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&panel));
+    live(Pose{});
+    auto* box = panel.namedPoses().findChild<QComboBox*>();
+    ASSERT_NE(box, nullptr);
+    const auto typeName = [&] {
+        QTest::mouseClick(box->lineEdit(), Qt::LeftButton);
+        ASSERT_EQ(QApplication::focusWidget(), box);
+        box->lineEdit()->selectAll();
+        QTest::keyClicks(box, QStringLiteral("park"));
+    };
+    std::optional<Pose> asked;
+    QObject::connect(&panel, &TargetPanel::runRequested, [&](const Pose& pose) { asked = pose; });
+    type("Target z", "5");
+    typeName();
+    button("Run")->setFocus(Qt::MouseFocusReason); // as a click does
+    QTest::mouseClick(button("Run"), Qt::LeftButton);
+    ASSERT_TRUE(asked);
+    EXPECT_NEAR(asked->offset[2], 0.005, 1e-12);
+
+    typeName();
+    QTest::keyClick(box, Qt::Key_Return);
+    EXPECT_NEAR(panel.target()->offset[2], 0.005, 1e-12);
+    button("Save pose")->setFocus(Qt::MouseFocusReason);
+    QTest::mouseClick(button("Save pose"), Qt::LeftButton);
+    EXPECT_NEAR(panel.namedPoses().poses()[0].pose.offset[2], 0.005, 1e-12)
+        << "the pose replaces the old one";
+
+    panel.setTarget(Pose{});
+    box->setFocus();
+    QTest::keyClick(box, Qt::Key_Down);
+    EXPECT_TRUE(panel.target()->toVector().isZero()) << "it is the last one already";
+    box->showPopup();
+    QTest::keyClick(box->view(), Qt::Key_Return);
+    EXPECT_NEAR(panel.target()->offset[2], 0.005, 1e-12) << "chosen from the list";
 }
 
 TEST_F(TargetPanelTest, TheLampJudgesTheWayOfTheMode) {
