@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/common/file_dialog.h"
 #include "ui/common/labelled.h"
 #include "ui/common/read_out.h"
 #include "ui/console/motion/way_point_table.h"
 #include "ui/console/motion/way_points_panel.h"
 
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -72,17 +72,20 @@ void WayPointsPanel::build() {
     connect(m_pause, &QPushButton::toggled, this, &WayPointsPanel::setPaused);
 }
 
-/// Beside the window and not before it: Stop stays within reach.
 void WayPointsPanel::chooseFile(bool toSave) {
-    auto* dialog = new QFileDialog(this, toSave ? tr("Save the way-points") : tr("Load way-points"),
-                                   QString(), tr("Poses (*.csv);;All files (*)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(toSave ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
-    dialog->setFileMode(toSave ? QFileDialog::AnyFile : QFileDialog::ExistingFile);
-    dialog->setDefaultSuffix(QStringLiteral("csv"));
-    dialog->setModal(false);
-    connect(dialog, &QFileDialog::fileSelected, this, toSave ? &WayPointsPanel::save : &WayPointsPanel::load);
-    dialog->show();
+    const QString filter = tr("Poses (*.csv);;All files (*)");
+    if (toSave) {
+        askForFile(*this,
+                   {tr("Save the way-points"),
+                    filter,
+                    {},
+                    QFileDialog::AnyFile,
+                    QFileDialog::AcceptSave,
+                    QStringLiteral("csv")},
+                   [this](const QString& file) { save(file); });
+    } else {
+        askForFile(*this, {tr("Load way-points"), filter}, [this](const QString& file) { load(file); });
+    }
 }
 
 void WayPointsPanel::retranslate() {

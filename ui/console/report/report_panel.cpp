@@ -4,6 +4,7 @@
 
 #include "core/base/input_error.h"
 #include "core/record/pose_list.h"
+#include "ui/common/file_dialog.h"
 #include "ui/common/read_out.h"
 #include "ui/common/status_text.h"
 #include "ui/console/events/sequence_end_text.h"
@@ -14,7 +15,6 @@
 #include <QComboBox>
 #include <QDir>
 #include <QEvent>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -224,15 +224,11 @@ void ReportPanel::showFiles(const QString& text) {
 }
 
 void ReportPanel::chooseList() {
-    auto* dialog = new QFileDialog(this, tr("List of poses"), QString(), tr("Poses (*.csv);;All files (*)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
+    askForFile(*this, {tr("List of poses"), tr("Poses (*.csv);;All files (*)")}, [this](const QString& file) {
         m_listFile = file;
         retranslate();
         m_list->setCurrentIndex(1);
     });
-    dialog->open();
 }
 
 void ReportPanel::showProgress() {
