@@ -51,6 +51,10 @@
         <source>Waiting for the first measurement</source>
         <translation>正在等待首个测量值</translation>
     </message>
+    <message>
+        <source>The control loop ended: %1. Disconnect and connect again.</source>
+        <translation>控制循环已结束：%1。请断开后重新连接。</translation>
+    </message>
 </context>
 <context>
     <name>hexapose::ChartPage</name>

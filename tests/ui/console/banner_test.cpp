@@ -46,6 +46,23 @@ TEST(Banner, SpeaksUpForWhatMustNotBeMissedAndIsGoneAfterwards) {
     EXPECT_TRUE(banner.isHidden());
 }
 
+TEST(Banner, TellsTheEndOfTheLoopFromALossOfTheConnection) {
+    Banner banner;
+    Snapshot snapshot; // as the session makes it when the loop is over
+    snapshot.state = RunState::Fault;
+    snapshot.link = LinkState::Lost;
+    snapshot.events.push_back(eventFrom("loop-failed X4"));
+    banner.showSnapshot(snapshot, true);
+    EXPECT_EQ(message(banner), "The control loop ended: X4. Disconnect and connect again.");
+    EXPECT_EQ(toneOf(banner), Tone::Bad);
+    snapshot.events.clear();
+    banner.showSnapshot(snapshot, true);
+    EXPECT_TRUE(message(banner).startsWith(QStringLiteral("The control loop ended")));
+    banner.showClosed();
+    banner.showSnapshot(snapshot, true);
+    EXPECT_EQ(message(banner), "Connection lost - reconnecting");
+}
+
 TEST(Banner, ShowsTheTrainingAndLetsItBeCancelled) {
     Banner banner;
     banner.showTraining(0.5);

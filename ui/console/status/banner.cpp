@@ -39,7 +39,7 @@ void Banner::showSnapshot(const Snapshot& snapshot, bool open) {
     m_open = open;
     for (const Event& event : snapshot.events) {
         if (event.code == EventCode::LinkLost || event.code == EventCode::LoopFailed) {
-            m_linkReason = payloadText(event.data);
+            m_lossCause = event;
         }
     }
     refresh();
@@ -47,7 +47,7 @@ void Banner::showSnapshot(const Snapshot& snapshot, bool open) {
 
 void Banner::showClosed() {
     m_open = false;
-    m_linkReason.clear();
+    m_lossCause.reset();
     refresh();
 }
 
@@ -69,6 +69,16 @@ void Banner::endTraining(const QString& failure) {
     refresh();
 }
 
+/// Nobody reconnects where the loop itself has ended.
+QString Banner::lossText() const {
+    const QString cause = m_lossCause ? payloadText(m_lossCause->data) : QString();
+    if (m_lossCause && m_lossCause->code == EventCode::LoopFailed) {
+        return tr("The control loop ended: %1. Disconnect and connect again.").arg(cause);
+    }
+    return cause.isEmpty() ? tr("Connection lost - reconnecting")
+                           : tr("Connection lost: %1 - reconnecting").arg(cause);
+}
+
 void Banner::refresh() {
     const QString age =
         QString::fromStdString(formatFixed(std::chrono::duration<double>(m_snapshot.age).count(), 1));
@@ -80,8 +90,7 @@ void Banner::refresh() {
     } else if (!m_trainingFailure.isEmpty()) {
         text = m_trainingFailure;
     } else if (m_open && m_snapshot.link == LinkState::Lost) {
-        text = m_linkReason.isEmpty() ? tr("Connection lost - reconnecting")
-                                      : tr("Connection lost: %1 - reconnecting").arg(m_linkReason);
+        text = lossText();
     } else if (m_open && m_snapshot.link == LinkState::Connecting) {
         text = tr("Waiting for the controller to answer");
         tone = Tone::Warn;

@@ -35,6 +35,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    QString lossText() const;
     void refresh();
 
     Snapshot m_snapshot;
@@ -42,7 +43,7 @@ private:
     bool m_training = false;
     QString m_trainingFailure;
     QString m_logFailure;
-    QString m_linkReason;
+    std::optional<Event> m_lossCause; ///< of the connection: the latest that was reported
     QLabel* m_lamp;
     ReadOut* m_text;
     QProgressBar* m_progress;
