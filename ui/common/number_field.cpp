@@ -120,6 +120,12 @@ void NumberField::stepBy(double steps) {
 }
 
 void NumberField::keyPressEvent(QKeyEvent* event) {
+    const bool steps = event->key() == Qt::Key_Up || event->key() == Qt::Key_Down ||
+                       event->key() == Qt::Key_PageUp || event->key() == Qt::Key_PageDown;
+    if (steps && qobject_cast<QComboBox*>(parentWidget()) != nullptr) {
+        event->ignore(); // the box has steps of its own
+        return;
+    }
     switch (event->key()) {
     case Qt::Key_Up:
         return stepBy(1.0);
