@@ -3,6 +3,7 @@
 
 #include "core/session/session.h"
 
+#include "core/device/platform_device.h"
 #include "core/record/log_writer.h"
 #include "core/session/replaceable_solver.h"
 
