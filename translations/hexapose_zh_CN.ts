@@ -103,8 +103,12 @@
         <translation>实测</translation>
     </message>
     <message>
-        <source>target</source>
-        <translation>目标</translation>
+        <source>path</source>
+        <translation>路径</translation>
+    </message>
+    <message>
+        <source>set-point</source>
+        <translation>设定值</translation>
     </message>
 </context>
 <context>
@@ -923,8 +927,8 @@ FSI：以小步沿支腿路径跟踪
         <translation>位姿</translation>
     </message>
     <message>
-        <source>target</source>
-        <translation>目标</translation>
+        <source>path</source>
+        <translation>路径</translation>
     </message>
     <message>
         <source>measured</source>
