@@ -323,11 +323,11 @@ FSI：以小步沿支腿路径跟踪
         <translation>控制循环已结束</translation>
     </message>
     <message>
-        <source>Disconnect and connect again; send the log to the manufacturer.</source>
-        <translation>请断开后重新连接；并将日志发给厂家。</translation>
+        <source>Disconnect and connect again; report the error with its log.</source>
+        <translation>请断开后重新连接；并附上日志报告此错误。</translation>
     </message>
     <message>
-        <source>Fault of the controller</source>
+        <source>Controller fault</source>
         <translation>控制器故障</translation>
     </message>
     <message>
@@ -494,6 +494,10 @@ FSI：以小步沿支腿路径跟踪
         <source>Move started: %1 s at full speed</source>
         <translation>运动开始：全速时 %1 s</translation>
     </message>
+    <message>
+        <source>There is nothing to resume.</source>
+        <translation>没有可继续的运动。</translation>
+    </message>
 </context>
 <context>
     <name>hexapose::GuidedTestPanel</name>
@@ -601,12 +605,12 @@ FSI：以小步沿支腿路径跟踪
 <context>
     <name>hexapose::JogPanel</name>
     <message>
-        <source>Moves while a button is held. Keys, with the focus here: arrows for x and y, page up and down for z, with Shift about them</source>
-        <translation>按住按钮时运动。焦点在此处时可用键盘：方向键为 x 和 y，PgUp/PgDn 为 z，加 Shift 为绕各轴转动</translation>
+        <source>Moves while a button is held. Keys, with the focus here: arrows for x and y, page up and down for z; hold Shift to rotate about the axis</source>
+        <translation>按住按钮时运动。焦点在此处时可用键盘：方向键为 x 和 y，PgUp/PgDn 为 z；按住 Shift 则绕该轴转动</translation>
     </message>
     <message>
-        <source>One step a click, or a key: arrows for x and y, page up and down for z, with Shift about them</source>
-        <translation>每次点击或按键走一步：方向键为 x 和 y，PgUp/PgDn 为 z，加 Shift 为绕各轴转动</translation>
+        <source>One step per click or key: arrows for x and y, page up and down for z; hold Shift to rotate about the axis</source>
+        <translation>每次点击或按键走一步：方向键为 x 和 y，PgUp/PgDn 为 z；按住 Shift 则绕该轴转动</translation>
     </message>
     <message>
         <source>Frame</source>
@@ -625,8 +629,8 @@ FSI：以小步沿支腿路径跟踪
         <translation>平台</translation>
     </message>
     <message>
-        <source>Along and about the axes of the base, or those of the platform as it stands</source>
-        <translation>沿基座各轴，或沿平台当前各轴移动和转动</translation>
+        <source>Along and about the axes of the base, or those of the platform in its present orientation</source>
+        <translation>沿基座各轴，或沿平台当前姿态的各轴移动和转动</translation>
     </message>
     <message>
         <source>Step</source>
@@ -641,7 +645,7 @@ FSI：以小步沿支腿路径跟踪
         <translation>按住</translation>
     </message>
     <message>
-        <source>Hold: as long as a button is held. A number: so many mm or degrees a click</source>
+        <source>Hold: moves as long as a button is held. A number: moves by this many mm or degrees per click</source>
         <translation>按住：按住按钮期间一直运动。数值：每次点击运动的毫米数或度数</translation>
     </message>
     <message>
@@ -649,8 +653,8 @@ FSI：以小步沿支腿路径跟踪
         <translation>点动按键区</translation>
     </message>
     <message>
-        <source>Keys, with the focus here: left and right x, down and up y, page down and page up z; with Shift alpha, beta, gamma. Letting go ends the motion.</source>
-        <translation>焦点在此处时可用键盘：左右键 x，下上键 y，PgDn/PgUp z；加 Shift 为 alpha、beta、gamma。松开即停止运动。</translation>
+        <source>Keys, with the focus here: left and right x, down and up y, page down and page up z; hold Shift for alpha, beta, gamma. Letting go ends the motion.</source>
+        <translation>焦点在此处时可用键盘：左右键 x，下上键 y，PgDn/PgUp z；按住 Shift 为 alpha、beta、gamma。松开即停止运动。</translation>
     </message>
     <message>
         <source>Jog -%1</source>
@@ -755,8 +759,8 @@ FSI：以小步沿支腿路径跟踪
         <translation>工作空间</translation>
     </message>
     <message>
-        <source>Joint: each leg on a straight path in its length. Workspace: the platform on a straight path, the loop closed on its measured pose. Changing it moves nothing.</source>
-        <translation>关节空间：各支腿长度按直线变化。工作空间：平台沿直线路径运动，以实测位姿闭环。切换模式不会产生运动。</translation>
+        <source>Joint: each leg changes its length steadily. Workspace: the platform moves in a straight line, corrected by its measured pose. Changing it moves nothing.</source>
+        <translation>关节空间：各支腿长度平稳变化。工作空间：平台沿直线运动，以实测位姿校正。切换模式不会产生运动。</translation>
     </message>
     <message>
         <source>Motion pages</source>
@@ -837,7 +841,7 @@ FSI：以小步沿支腿路径跟踪
         <translation>未输完</translation>
     </message>
     <message>
-        <source>a blank inside</source>
+        <source>contains a space</source>
         <translation>中间有空格</translation>
     </message>
     <message>
@@ -1450,7 +1454,7 @@ FSI：以小步沿支腿路径跟踪
         <translation>超出模型范围</translation>
     </message>
     <message>
-        <source>Pose of another assembly</source>
+        <source>Pose of another assembly mode</source>
         <translation>属于另一装配构型的位姿</translation>
     </message>
     <message>
@@ -1612,12 +1616,12 @@ FSI：以小步沿支腿路径跟踪
         <translation>%1 将为 %2，超出允许的 ±%3</translation>
     </message>
     <message>
-        <source>Leg %1 would move at %2 mm/s, faster than its %3 mm/s</source>
-        <translation>支腿 %1 速度将为 %2 mm/s，超过其 %3 mm/s</translation>
+        <source>Leg %1 would move at %2 mm/s, above its limit of %3 mm/s</source>
+        <translation>支腿 %1 速度将为 %2 mm/s，超过其限值 %3 mm/s</translation>
     </message>
     <message>
-        <source>Leg %1 would accelerate by %2 mm/s², more than its %3 mm/s²</source>
-        <translation>支腿 %1 加速度将为 %2 mm/s²，超过其 %3 mm/s²</translation>
+        <source>Leg %1 would accelerate by %2 mm/s², above its limit of %3 mm/s²</source>
+        <translation>支腿 %1 加速度将为 %2 mm/s²，超过其限值 %3 mm/s²</translation>
     </message>
     <message>
         <source>The path comes too close to a singular pose</source>
@@ -1723,7 +1727,7 @@ FSI：以小步沿支腿路径跟踪
         <translation>保存路径点</translation>
     </message>
     <message>
-        <source>As CSV, of the same columns</source>
+        <source>As CSV with the same columns</source>
         <translation>存为 CSV，列相同</translation>
     </message>
     <message>
@@ -2003,8 +2007,8 @@ PgDn、PgUp：z
         <translation>支腿 %1 偏离路径 %2 mm，且运动没有进展</translation>
     </message>
     <message>
-        <source>%1: not done in time</source>
-        <translation>%1：未及时完成</translation>
+        <source>%1 did not finish in time</source>
+        <translation>%1未及时完成</translation>
     </message>
     <message>
         <source>%1: not answered</source>

@@ -29,7 +29,7 @@ QString faultText(TypedNumberFault fault) {
     case TypedNumberFault::Unfinished:
         return NumberField::tr("unfinished");
     case TypedNumberFault::BlankInside:
-        return NumberField::tr("a blank inside");
+        return NumberField::tr("contains a space");
     case TypedNumberFault::TwoDecimalMarks:
         return NumberField::tr("two decimal marks");
     case TypedNumberFault::NotANumber:

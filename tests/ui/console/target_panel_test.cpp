@@ -314,7 +314,7 @@ TEST(MotionCheckText, NamesLegLimitAndExcess) {
         << motionCheckText(outside).toStdString();
     const MotionCheck fast{MotionCheck::Reason::LegSpeed, 4, 0.09, 0.08, 0.12};
     EXPECT_EQ(motionCheckText(fast),
-              "Leg 4 would move at 90.0 mm/s, faster than its 80.0 mm/s, at 12 % of the path");
+              "Leg 4 would move at 90.0 mm/s, above its limit of 80.0 mm/s, at 12 % of the path");
     const MotionCheck aboveOnTheWay{MotionCheck::Reason::LegAboveMax, 3, 0.3612, 0.350, 0.3};
     EXPECT_EQ(motionCheckText(*motionCheckFromWords(toWords(aboveOnTheWay))),
               "Leg 3 would be above its maximum, at 30 % of the path");

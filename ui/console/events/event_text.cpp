@@ -27,6 +27,9 @@ QString withPayload(const QString& cause, const Event& event) {
 
 /// What has to come before a command that the present state does not allow.
 QString refusalAdvice(const CommandRefusal& refusal) {
+    if (refusal.command == Command::Resume) {
+        return EventWords::tr("There is nothing to resume.");
+    }
     const bool down = refusal.state == RunState::Stopped || refusal.state == RunState::Fault;
     const bool moving = refusal.state == RunState::Moving || refusal.state == RunState::Settling;
     if (refusal.command == Command::Jog && !down) {
@@ -121,9 +124,9 @@ EventText stopText(const Event& event) {
                 EventWords::tr("Check the machine; switch its drives off there."), Tone::Bad};
     case EventCode::LoopFailed:
         return {withPayload(EventWords::tr("The control loop ended"), event),
-                EventWords::tr("Disconnect and connect again; send the log to the manufacturer."), Tone::Bad};
+                EventWords::tr("Disconnect and connect again; report the error with its log."), Tone::Bad};
     case EventCode::ControllerFault:
-        return {withPayload(EventWords::tr("Fault of the controller"), event),
+        return {withPayload(EventWords::tr("Controller fault"), event),
                 EventWords::tr("Remove the cause at the machine, then press Clear."), Tone::Bad};
     default:
         return {};

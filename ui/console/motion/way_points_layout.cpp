@@ -95,7 +95,7 @@ void WayPointsPanel::retranslate() {
     label(*m_addTarget, tr("+ Target"), tr("Add target"), {});
     label(*m_load, tr("Load..."), tr("Load way-points"),
           tr("From CSV: columns x_mm, y_mm, z_mm, alpha_deg, beta_deg, gamma_deg"));
-    label(*m_save, tr("Save..."), tr("Save way-points"), tr("As CSV, of the same columns"));
+    label(*m_save, tr("Save..."), tr("Save way-points"), tr("As CSV with the same columns"));
     label(*m_play, tr("Play"), tr("Play"), tr("Visit them all, from the first; the platform moves"));
     label(*m_pause, tr("Pause"), tr("Pause motion"), tr("Hold the motion on its path; press again to go on"));
     label(*m_step, tr("Step"), tr("Step"), tr("Go to the next one only; the platform moves"));

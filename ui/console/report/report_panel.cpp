@@ -178,7 +178,7 @@ void ReportPanel::rebuildReport() {
 
 void ReportPanel::exportReport() {
     if (m_samples.empty()) {
-        // A pose that has stood for half of its time is good enough for who asks now.
+        // For an export that is asked for now, half of the time at rest is enough.
         SettledSampler ended = m_sampler;
         if (const auto sample = ended.finish()) {
             m_sampler = SettledSampler();
