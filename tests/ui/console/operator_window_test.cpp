@@ -23,6 +23,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QPointer>
 #include <QPushButton>
 #include <QSlider>
 #include <QTableView>
@@ -228,7 +229,7 @@ TEST_F(OperatorWindowTest, FileDialogsLeaveStopAndEscWithinReach) {
         button(name)->click(); // it is open already
         const auto dialogs = window.findChildren<QFileDialog*>();
         ASSERT_EQ(dialogs.size(), 1);
-        QFileDialog* dialog = dialogs.first();
+        const QPointer<QFileDialog> dialog = dialogs.first();
         EXPECT_TRUE(dialog->isVisible());
         EXPECT_FALSE(dialog->isModal());
         EXPECT_TRUE(dialog->testOption(QFileDialog::DontUseNativeDialog)) << "it would keep Esc for itself";
@@ -237,7 +238,7 @@ TEST_F(OperatorWindowTest, FileDialogsLeaveStopAndEscWithinReach) {
         EXPECT_EQ(stops, 1);
         QTest::keyClick(dialog->windowHandle(), Qt::Key_Escape);
         EXPECT_GE(stops, 2);
-        delete dialog;
+        delete dialog.data(); // which Esc may have closed already
     }
 }
 
