@@ -55,6 +55,10 @@
         <source>The control loop ended: %1. Disconnect and connect again.</source>
         <translation>控制循环已结束：%1。请断开后重新连接。</translation>
     </message>
+    <message>
+        <source>The log is not complete: %1</source>
+        <translation>日志不完整：%1</translation>
+    </message>
 </context>
 <context>
     <name>hexapose::ChartPage</name>
@@ -319,8 +323,8 @@ FSI：以小步沿支腿路径跟踪
         <translation>已停止：控制器拒绝了设定值</translation>
     </message>
     <message>
-        <source>The control loop ended</source>
-        <translation>控制循环已结束</translation>
+        <source>The control loop ended: %1</source>
+        <translation>控制循环已结束：%1</translation>
     </message>
     <message>
         <source>Disconnect and connect again; report the error with its log.</source>
@@ -497,6 +501,14 @@ FSI：以小步沿支腿路径跟踪
     <message>
         <source>There is nothing to resume.</source>
         <translation>没有可继续的运动。</translation>
+    </message>
+    <message>
+        <source>out of memory</source>
+        <translation>内存不足</translation>
+    </message>
+    <message>
+        <source>internal error &quot;%1&quot;</source>
+        <translation>内部错误“%1”</translation>
     </message>
 </context>
 <context>
@@ -2061,6 +2073,81 @@ PgDn、PgUp：z
     <message>
         <source>Unknown state</source>
         <translation>未知状态</translation>
+    </message>
+</context>
+<context>
+    <name>hexapose::InputFaultText</name>
+    <message>
+        <source>exists already</source>
+        <translation>已存在</translation>
+    </message>
+    <message>
+        <source>cannot be created: %1</source>
+        <translation>无法创建：%1</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1</source>
+        <translation>无法写入：%1</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>无法读取：%1</translation>
+    </message>
+    <message>
+        <source>cannot be read further</source>
+        <translation>无法继续读取</translation>
+    </message>
+    <message>
+        <source>is a directory</source>
+        <translation>是一个目录</translation>
+    </message>
+    <message>
+        <source>is empty, a header row was expected</source>
+        <translation>为空，应有表头行</translation>
+    </message>
+    <message>
+        <source>a quote is opened and never closed</source>
+        <translation>引号未闭合</translation>
+    </message>
+    <message>
+        <source>is not UTF-8 text</source>
+        <translation>不是 UTF-8 文本</translation>
+    </message>
+    <message>
+        <source>column %1 is missing</source>
+        <translation>缺少列 %1</translation>
+    </message>
+    <message>
+        <source>column %1 is missing; separate the fields by commas</source>
+        <translation>缺少列 %1；请用逗号分隔各字段</translation>
+    </message>
+    <message>
+        <source>column %1 appears twice</source>
+        <translation>列 %1 出现了两次</translation>
+    </message>
+    <message>
+        <source>the last line is incomplete</source>
+        <translation>最后一行不完整</translation>
+    </message>
+    <message>
+        <source>%1 fields, but the header has %2</source>
+        <translation>有 %1 个字段，但表头有 %2 个</translation>
+    </message>
+    <message>
+        <source>%1 &quot;%2&quot; is not a finite number</source>
+        <translation>%1 的值“%2”不是有限数值</translation>
+    </message>
+    <message>
+        <source>the list holds no poses</source>
+        <translation>列表中没有位姿</translation>
+    </message>
+    <message>
+        <source>%1, line %2: %3</source>
+        <translation>%1，第 %2 行：%3</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
     </message>
 </context>
 </TS>

@@ -73,7 +73,7 @@ public:
     /// Of the present or last connection; empty before the first.
     std::filesystem::path logFile() const;
     /// Why the log of the present or last connection is not complete.
-    std::optional<std::string> logFailure() const;
+    std::optional<LogFailure> logFailure() const;
 
 private:
     struct Impl;

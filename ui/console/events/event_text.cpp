@@ -7,6 +7,8 @@
 
 #include <QCoreApplication>
 
+#include <new>
+
 namespace hexapose {
 
 namespace {
@@ -123,7 +125,7 @@ EventText stopText(const Event& event) {
         return {EventWords::tr("The controller did not confirm that the drives are off"),
                 EventWords::tr("Check the machine; switch its drives off there."), Tone::Bad};
     case EventCode::LoopFailed:
-        return {withPayload(EventWords::tr("The control loop ended"), event),
+        return {EventWords::tr("The control loop ended: %1").arg(loopFailureText(event)),
                 EventWords::tr("Disconnect and connect again; report the error with its log."), Tone::Bad};
     case EventCode::ControllerFault:
         return {withPayload(EventWords::tr("Controller fault"), event),
@@ -191,6 +193,14 @@ EventText progressText(const Event& event) {
 }
 
 } // namespace
+
+QString loopFailureText(const Event& event) {
+    const auto* error = event.get<DeviceText>();
+    const std::string text = error != nullptr ? error->text : std::string();
+    return text == std::bad_alloc().what()
+               ? EventWords::tr("out of memory")
+               : EventWords::tr("internal error \"%1\"").arg(QString::fromStdString(text));
+}
 
 EventText eventText(const Event& event) {
     for (const auto& group : {linkText, stopText, refusalText, progressText}) {

@@ -6,6 +6,7 @@
 #include "core/record/pose_list.h"
 #include "ui/common/read_out.h"
 #include "ui/common/status_text.h"
+#include "ui/console/events/input_fault_text.h"
 #include "ui/console/events/motion_check_text.h"
 #include "ui/console/events/sequence_end_text.h"
 #include "ui/console/motion/way_point_file.h"
@@ -210,8 +211,7 @@ void WayPointsPanel::load(const QString& file) {
         const auto count = poses.size();
         setMessage([=] { return tr("%1 way-points from %2").arg(QString::number(count), name); });
     } catch (const InputError& error) {
-        const QString reason = QString::fromUtf8(error.what());
-        setMessage([reason] { return tr("The list cannot be used: %1").arg(reason); });
+        setMessage([error] { return tr("The list cannot be used: %1").arg(inputFaultText(error)); });
     }
 }
 

@@ -7,6 +7,7 @@
 #include "ui/common/file_dialog.h"
 #include "ui/common/read_out.h"
 #include "ui/common/status_text.h"
+#include "ui/console/events/input_fault_text.h"
 #include "ui/console/events/sequence_end_text.h"
 #include "ui/console/report/report_preview.h"
 #include "ui/console/report/report_writer.h"
@@ -133,10 +134,9 @@ void ReportPanel::runReport() {
         runList(m_listFile.isEmpty() ? defaultPoses(m_geometry, kPoses, kSeed)
                                      : readPoseList(m_listFile.toStdString()));
     } catch (const InputError& error) {
-        const QString reason = QString::fromUtf8(error.what());
-        m_progress->showText(reason);
-        emit noted([reason] {
-            return EventText{tr("The list of poses cannot be used: %1").arg(reason),
+        m_progress->showText(inputFaultText(error));
+        emit noted([error] {
+            return EventText{tr("The list of poses cannot be used: %1").arg(inputFaultText(error)),
                              tr("Correct the file, or choose another."), Tone::Warn};
         });
     }

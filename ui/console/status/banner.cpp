@@ -5,6 +5,7 @@
 #include "core/base/number_text.h"
 #include "ui/common/card.h"
 #include "ui/common/read_out.h"
+#include "ui/console/events/event_text.h"
 #include "ui/console/events/payload_text.h"
 
 #include <QEvent>
@@ -51,8 +52,8 @@ void Banner::showClosed() {
     refresh();
 }
 
-void Banner::showLogFailure(const QString& reason) {
-    m_logFailure = reason;
+void Banner::showLogFailure(const std::optional<LogFailure>& failure) {
+    m_logFailure = failure;
     refresh();
 }
 
@@ -71,10 +72,11 @@ void Banner::endTraining(const QString& failure) {
 
 /// Nobody reconnects where the loop itself has ended.
 QString Banner::lossText() const {
-    const QString cause = m_lossCause ? payloadText(m_lossCause->data) : QString();
     if (m_lossCause && m_lossCause->code == EventCode::LoopFailed) {
-        return tr("The control loop ended: %1. Disconnect and connect again.").arg(cause);
+        return tr("The control loop ended: %1. Disconnect and connect again.")
+            .arg(loopFailureText(*m_lossCause));
     }
+    const QString cause = m_lossCause ? payloadText(m_lossCause->data) : QString();
     return cause.isEmpty() ? tr("Connection lost - reconnecting")
                            : tr("Connection lost: %1 - reconnecting").arg(cause);
 }
@@ -99,8 +101,10 @@ void Banner::refresh() {
         tone = Tone::Warn;
     } else if (m_open && m_snapshot.stale) {
         text = tr("No valid measurement for %1 s: the values shown are old").arg(age);
-    } else if (!m_logFailure.isEmpty()) {
-        text = tr("The log cannot be written: %1").arg(m_logFailure);
+    } else if (m_logFailure) {
+        const QString what = payloadText(*m_logFailure);
+        text = m_logFailure->system.empty() ? tr("The log is not complete: %1").arg(what)
+                                            : tr("The log cannot be written: %1").arg(what);
     } else if (m_open && m_snapshot.link == LinkState::ListenOnly) {
         text = tr("Listen-only source without checksums: transmission errors go unnoticed, and it takes no "
                   "commands");
