@@ -13,6 +13,7 @@
 #include "core/base/number_text.h"
 #include "core/base/units.h"
 #include "core/machine/control_options.h"
+#include "core/record/event_codec.h"
 #include "core/record/log_metadata.h"
 #include "core/record/motion_check_words.h"
 #include "core/record/pose_list.h"
@@ -215,9 +216,10 @@ int runCommand(const QStringList& words) {
     std::fwrite(table.data(), 1, table.size(), stdout);
     if (arguments.has("report") && !job.samples().empty())
         exportErrorReport(report, arguments.requiredText("report"));
-    const std::optional<std::string> logFailure = session.logFailure();
+    const std::optional<LogFailure> logFailure = session.logFailure();
     if (logFailure)
-        std::fprintf(stderr, "hexapose-cli: %s: %s\n", logFile.c_str(), logFailure->c_str());
+        std::fprintf(stderr, "hexapose-cli: %s: %s\n", logFile.c_str(),
+                     payloadWords({EventCode::LogFailed, *logFailure}).c_str());
     std::string failure = failureWords(job);
     if (job.failure())
         failure += remedyOf(*job.failure());

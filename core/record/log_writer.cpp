@@ -28,10 +28,6 @@ constexpr int kMostFaultFiles = 100;      ///< of a session: a broken line must 
 
 using SnapshotPtr = std::shared_ptr<const Snapshot>;
 
-std::string lostText(std::uint64_t lost) {
-    return std::to_string(lost) + " rows lost";
-}
-
 } // namespace
 
 struct LogWriter::Impl {
@@ -176,7 +172,11 @@ void LogWriter::Impl::writeFaults() {
             writeNewFile(file, rows);
         } catch (const InputError& error) {
             const std::lock_guard lock(mutex);
-            faultFailure = error.what();
+            // The system's words alone: a screen has its own for the rest.
+            const InputFault* fault = error.fault();
+            faultFailure = fault != nullptr && !fault->details.empty()
+                               ? fault->where + ": " + fault->details.front()
+                               : error.what();
         }
     }
 }
@@ -253,14 +253,14 @@ std::uint64_t LogWriter::lostCount() const {
     return m_impl->lost;
 }
 
-std::optional<std::string> LogWriter::failure() const {
+std::optional<LogFailure> LogWriter::failure() const {
     const std::lock_guard lock(m_impl->mutex);
     if (!m_impl->writeFailure.empty())
-        return m_impl->writeFailure;
+        return LogFailure{0, m_impl->writeFailure};
     if (!m_impl->faultFailure.empty())
-        return m_impl->faultFailure;
+        return LogFailure{0, m_impl->faultFailure};
     if (m_impl->lost > 0)
-        return lostText(m_impl->lost);
+        return LogFailure{m_impl->lost, {}};
     return std::nullopt;
 }
 

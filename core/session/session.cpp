@@ -3,6 +3,7 @@
 
 #include "core/session/session.h"
 
+#include "core/device/platform_device.h"
 #include "core/record/log_writer.h"
 #include "core/session/replaceable_solver.h"
 
@@ -30,7 +31,7 @@ struct Session::Impl {
     SessionSetup setup;
     DeviceFactory factory;
     std::unique_ptr<LogWriter> log;
-    std::optional<std::string> lastLogFailure; ///< of the log that is complete
+    std::optional<LogFailure> lastLogFailure; ///< of the log that is complete
     std::shared_ptr<SnapshotRing> ring = std::make_shared<SnapshotRing>();
 
     mutable std::mutex mutex; // guards what follows
@@ -240,7 +241,7 @@ std::filesystem::path Session::logFile() const {
     return info().logFile;
 }
 
-std::optional<std::string> Session::logFailure() const {
+std::optional<LogFailure> Session::logFailure() const {
     return m_impl->log ? m_impl->log->failure() : m_impl->lastLogFailure;
 }
 

@@ -4,11 +4,15 @@
 #include "tests/support/golden_events.h"
 #include "ui/common/language.h"
 #include "ui/console/events/event_list.h"
+#include "ui/console/events/event_text.h"
+#include "ui/console/events/input_fault_text.h"
 
 #include <QCoreApplication>
 
 #include <QRegularExpression>
 #include <gtest/gtest.h>
+
+#include <new>
 
 namespace hexapose {
 namespace {
@@ -66,6 +70,8 @@ TEST(EventList, EveryEventIsReportedAndTroubleSaysWhatToDo) {
             EXPECT_FALSE(text.advice.isEmpty());
         }
     }
+    EXPECT_EQ(eventText(eventFrom("command-refused resume in enabled")).advice,
+              "There is nothing to resume.");
     EXPECT_TRUE(
         eventText(eventFrom("command-refused run in stopped")).cause.endsWith(QStringLiteral("Stopped")));
     EXPECT_TRUE(eventText(eventFrom("stopped-on-solver no-solution"))
@@ -91,6 +97,24 @@ TEST(EventList, NoEventSpeaksEnglishInChinese) {
         }
     }
     ASSERT_TRUE(language.choose(QStringLiteral("en")));
+}
+
+TEST(EventList, WhatEndsTheLoopAndWhatIsWrongWithAFileIsToldInChinese) {
+    LanguageSwitch language;
+    ASSERT_TRUE(language.choose(QStringLiteral("zh_CN")));
+    const QString memory = eventText({EventCode::LoopFailed, DeviceText{std::bad_alloc().what()}}).cause;
+    EXPECT_TRUE(wordsOf(memory).isEmpty()) << memory.toStdString();
+    for (int kind = 0; kind <= static_cast<int>(InputFault::Kind::NoPoses); ++kind) {
+        const InputError error(InputFault{static_cast<InputFault::Kind>(kind), "x", 3, {"x", "x"}});
+        const QString text = inputFaultText(error);
+        QStringList words = wordsOf(text);
+        words.removeAll(QStringLiteral("x"));
+        words.removeAll(QStringLiteral("UTF"));
+        EXPECT_TRUE(words.isEmpty()) << text.toStdString();
+        EXPECT_GT(text.size(), 8) << kind;
+    }
+    ASSERT_TRUE(language.choose(QStringLiteral("en")));
+    EXPECT_EQ(inputFaultText(InputError("somewhere", "is only words")), "somewhere: is only words");
 }
 
 TEST(EventList, OldEntriesChangeTheirLanguageToo) {

@@ -7,6 +7,8 @@
 
 #include <QCoreApplication>
 
+#include <new>
+
 namespace hexapose {
 
 namespace {
@@ -27,6 +29,9 @@ QString withPayload(const QString& cause, const Event& event) {
 
 /// What has to come before a command that the present state does not allow.
 QString refusalAdvice(const CommandRefusal& refusal) {
+    if (refusal.command == Command::Resume) {
+        return EventWords::tr("There is nothing to resume.");
+    }
     const bool down = refusal.state == RunState::Stopped || refusal.state == RunState::Fault;
     const bool moving = refusal.state == RunState::Moving || refusal.state == RunState::Settling;
     if (refusal.command == Command::Jog && !down) {
@@ -120,10 +125,10 @@ EventText stopText(const Event& event) {
         return {EventWords::tr("The controller did not confirm that the drives are off"),
                 EventWords::tr("Check the machine; switch its drives off there."), Tone::Bad};
     case EventCode::LoopFailed:
-        return {withPayload(EventWords::tr("The control loop ended"), event),
-                EventWords::tr("Disconnect and connect again; send the log to the manufacturer."), Tone::Bad};
+        return {EventWords::tr("The control loop ended: %1").arg(loopFailureText(event)),
+                EventWords::tr("Disconnect and connect again; report the error with its log."), Tone::Bad};
     case EventCode::ControllerFault:
-        return {withPayload(EventWords::tr("Fault of the controller"), event),
+        return {withPayload(EventWords::tr("Controller fault"), event),
                 EventWords::tr("Remove the cause at the machine, then press Clear."), Tone::Bad};
     default:
         return {};
@@ -188,6 +193,14 @@ EventText progressText(const Event& event) {
 }
 
 } // namespace
+
+QString loopFailureText(const Event& event) {
+    const auto* error = event.get<DeviceText>();
+    const std::string text = error != nullptr ? error->text : std::string();
+    return text == std::bad_alloc().what()
+               ? EventWords::tr("out of memory")
+               : EventWords::tr("internal error \"%1\"").arg(QString::fromStdString(text));
+}
 
 EventText eventText(const Event& event) {
     for (const auto& group : {linkText, stopText, refusalText, progressText}) {

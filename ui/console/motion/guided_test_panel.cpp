@@ -65,12 +65,12 @@ void GuidedTestPanel::start() {
     }
     const auto target = guidedPose(m_planner, m_measured, m_mode);
     if (!target) {
-        tell([] { return tr("No pose of this test can be reached from here. Nothing moved."); });
+        setMessage([] { return tr("No pose of this test can be reached from here. Nothing moved."); });
         return;
     }
     m_test.emplace(m_planner.model().geometry(), m_solver, *target, m_ids.take());
     m_ended = false;
-    tell([] { return tr("The test is under way; Stop ends it"); });
+    setMessage([] { return tr("The test is under way; Stop ends it"); });
     showSteps();
     updateButton();
 }
@@ -114,13 +114,13 @@ void GuidedTestPanel::stopped() {
 
 void GuidedTestPanel::end(const Text& text) {
     m_ended = true;
-    tell(text);
+    setMessage(text);
     showSteps();
     showResult();
     updateButton();
 }
 
-void GuidedTestPanel::tell(const Text& text) {
+void GuidedTestPanel::setMessage(const Text& text) {
     m_text = text;
     m_message->showText(text());
 }

@@ -65,7 +65,7 @@ private:
     void buildResult(QVBoxLayout& column);
     void addRow(QGridLayout& grid, int coordinate);
     void end(const Text& text);
-    void tell(const Text& text);
+    void setMessage(const Text& text);
     void showSteps();
     void showResult();
     void updateButton();

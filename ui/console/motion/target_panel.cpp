@@ -142,7 +142,7 @@ void TargetPanel::setMode(MotionMode mode) {
 void TargetPanel::setConnected(bool connected) {
     m_connected = connected;
     updateRun();
-    showVerdict();
+    showValidity();
 }
 
 void TargetPanel::updateRun() {
@@ -183,7 +183,7 @@ void TargetPanel::showSnapshot(const Snapshot& snapshot) {
     if (const QString hindrance = runInhibit(snapshot); hindrance != m_hindrance) {
         m_hindrance = hindrance;
         updateRun();
-        showVerdict();
+        showValidity();
     }
     const bool had = m_measured.has_value();
     m_measured = live ? snapshot.measuredPose : std::nullopt;
@@ -199,12 +199,12 @@ void TargetPanel::showSnapshot(const Snapshot& snapshot) {
     }
 }
 
-/// Since the last judgement, by more than the measurement's rounding.
+/// Since the last check, by more than the measurement's rounding.
 bool TargetPanel::hasMoved() const {
-    if (!m_measured || !m_plannerdFrom) {
-        return m_measured.has_value() != m_plannerdFrom.has_value();
+    if (!m_measured || !m_checkedFrom) {
+        return m_measured.has_value() != m_checkedFrom.has_value();
     }
-    const Twist gone = displacement(*m_plannerdFrom, *m_measured);
+    const Twist gone = displacement(*m_checkedFrom, *m_measured);
     return gone.head<3>().norm() > kSamePlace || gone.tail<3>().norm() > kSameAttitude;
 }
 
@@ -245,7 +245,7 @@ void TargetPanel::checkTarget() {
         return;
     }
     m_sinceCheck.start();
-    m_plannerdFrom = m_measured;
+    m_checkedFrom = m_measured;
     const auto pose = target();
     if (!pose) {
         m_check.reset();
@@ -259,7 +259,7 @@ void TargetPanel::checkTarget() {
     }
     emit targetEdited();
     updateRun();
-    showVerdict();
+    showValidity();
     showRanges();
 }
 
@@ -279,7 +279,7 @@ void TargetPanel::showRanges() {
     }
 }
 
-void TargetPanel::showVerdict() {
+void TargetPanel::showValidity() {
     if (const QString refused = refusedField(); !refused.isEmpty()) {
         setTone(*m_lamp, Tone::Bad);
         m_validity->showText(refused);
@@ -316,7 +316,7 @@ void TargetPanel::retranslate() {
     label(*m_reset, tr("Reset"), tr("Put the home pose into the fields; nothing moves"));
     label(*m_copy, tr("Copy measured"), tr("Put the measured pose into the fields; nothing moves"));
     updateRun();
-    showVerdict();
+    showValidity();
     showRanges();
 }
 

@@ -61,7 +61,7 @@ private:
     void checkTarget();
     bool hasMoved() const;
     void showRanges();
-    void showVerdict();
+    void showValidity();
     void updateRun();
     QString refusedField() const;
     QString runReason() const;
@@ -72,8 +72,8 @@ private:
     MotionMode m_mode = MotionMode::Joint;
     QString m_hindrance; ///< why Run cannot be pressed, though something is connected
     bool m_connected = false;
-    std::optional<Pose> m_measured;     ///< present and usable
-    std::optional<Pose> m_plannerdFrom; ///< where it was then
+    std::optional<Pose> m_measured;    ///< present and usable
+    std::optional<Pose> m_checkedFrom; ///< where it was at the last check
     std::optional<MotionCheck> m_check;
     QElapsedTimer m_sinceCheck;
     std::array<NumberField*, 6> m_fields{};

@@ -6,6 +6,7 @@
 #include "core/record/pose_list.h"
 #include "ui/common/read_out.h"
 #include "ui/common/status_text.h"
+#include "ui/console/events/input_fault_text.h"
 #include "ui/console/events/motion_check_text.h"
 #include "ui/console/events/sequence_end_text.h"
 #include "ui/console/motion/way_point_file.h"
@@ -86,7 +87,7 @@ bool WayPointsPanel::checkRows(int first, int count, std::vector<Pose>& poses) {
         }
         const MotionCheck check = from ? m_planner.check(*from, *pose, m_mode) : m_planner.check(*pose);
         if (!check.ok()) {
-            tell([=] { return tr("Row %1: %2. Nothing moved.").arg(number, motionCheckText(check)); });
+            setMessage([=] { return tr("Row %1: %2. Nothing moved.").arg(number, motionCheckText(check)); });
             m_table->setCurrentCell(row, 0);
             return false;
         }
@@ -107,7 +108,7 @@ void WayPointsPanel::start(int first, int count) {
     const MotionId firstId = m_ids.take(poses.size());
     m_sequence.emplace(std::move(poses), kNoDwell, firstId);
     const QString all = QString::number(m_table->rowCount());
-    tell([this, all] { return tr("To way-point %1 of %2").arg(QString::number(visited() + 1), all); });
+    setMessage([this, all] { return tr("To way-point %1 of %2").arg(QString::number(visited() + 1), all); });
     m_table->mark(first);
     updateButtons();
 }
@@ -160,7 +161,7 @@ void WayPointsPanel::end(const Text& text) {
     m_due.reset();
     m_paused = false; // what the loop holds it goes on to hold
     m_table->mark(-1);
-    tell(text);
+    setMessage(text);
     updateButtons();
 }
 
@@ -193,7 +194,7 @@ void WayPointsPanel::requestDue() {
     }
 }
 
-void WayPointsPanel::tell(const Text& text) {
+void WayPointsPanel::setMessage(const Text& text) {
     m_text = text;
     showMessage();
 }
@@ -208,10 +209,9 @@ void WayPointsPanel::load(const QString& file) {
         m_next = 0;
         const QString name = QFileInfo(file).fileName();
         const auto count = poses.size();
-        tell([=] { return tr("%1 way-points from %2").arg(QString::number(count), name); });
+        setMessage([=] { return tr("%1 way-points from %2").arg(QString::number(count), name); });
     } catch (const InputError& error) {
-        const QString reason = QString::fromUtf8(error.what());
-        tell([reason] { return tr("The list cannot be used: %1").arg(reason); });
+        setMessage([error] { return tr("The list cannot be used: %1").arg(inputFaultText(error)); });
     }
 }
 
@@ -226,7 +226,7 @@ void WayPointsPanel::save(const QString& file) {
         poses.push_back(m_table->poseAt(row).value_or(Pose{}));
     }
     const QString fault = saveWayPoints(file, poses);
-    tell([=] {
+    setMessage([=] {
         return fault.isEmpty() ? tr("Saved as %1").arg(file) : tr("The list cannot be saved: %1").arg(fault);
     });
 }

@@ -21,8 +21,8 @@ namespace hexapose {
 
 class TextReadOut;
 
-/// A list of poses: played from the first to the last, held on the path, or taken one at a time. It is judged
-/// whole before anything moves.
+/// A list of poses: played from the first to the last, held on the path, or taken one at a time. It is
+/// checked whole before anything moves.
 class WayPointsPanel final : public QWidget {
     Q_OBJECT
 public:
@@ -74,7 +74,7 @@ private:
     void requestDue();
     void end(const Text& text);
     int visited() const; ///< row, from 0
-    void tell(const Text& text);
+    void setMessage(const Text& text);
     void showMessage();
     void followTable();
     void chooseFile(bool toSave);
