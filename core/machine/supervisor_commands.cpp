@@ -57,10 +57,10 @@ void Supervisor::on(const JogCommand& command) {
         check.reason = MotionCheck::Reason::NotFinite;
         return raise({EventCode::MoveRefused, check});
     }
+    if (m_motion.isEndedJog(command.id))
+        return; // its button is still down, or the repeat comes late
     if (m_machine.run == RunState::Moving && m_motion.isJog(command.id))
         return m_motion.holdJog(command, m_time);
-    if (m_motion.isEndedJog(command.id))
-        return; // its button is still down
     if (!mayCommand(Command::Jog))
         return refuse(Command::Jog);
     if (const auto inhibit = motionInhibit())
