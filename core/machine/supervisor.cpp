@@ -36,20 +36,11 @@ RunState Supervisor::state() const {
 }
 
 CommandSet Supervisor::allowed() const {
-    switch (m_link.feedback().link) {
-    case LinkState::Connected:
-        return allowedCommands(m_machine);
-    case LinkState::Connecting:
-        return {Command::Stop};
-    case LinkState::ListenOnly:
-    case LinkState::Lost:
-        break;
-    }
-    return {};
+    return allowedCommands(m_machine, m_link.feedback().link);
 }
 
 bool Supervisor::mayCommand(Command command) const {
-    return m_link.acceptsCommands() && transition(m_machine, eventOf(command)).defined;
+    return allowed().contains(command);
 }
 
 bool Supervisor::apply(MachineEvent event) {

@@ -88,7 +88,7 @@ void Supervisor::on(const ResumeCommand&) {
 }
 
 void Supervisor::on(const StopCommand&) {
-    if (!allowed().contains(Command::Stop))
+    if (!mayCommand(Command::Stop))
         return refuse(Command::Stop);
     raise({EventCode::StopRequested});
     m_unresolvedStop.reset();

@@ -69,7 +69,8 @@ void Supervisor::reportStateChange(const ControllerLink::StateReport& report, co
     if (wentDown && !asked && was.run != RunState::Stopped &&
         (wasActive || report.before == ControllerState::Enabled))
         raise({EventCode::StoppedByController, report.after});
-    if (wasActive || wasDown)
+    const bool isDownNow = m_machine.run == RunState::Stopped || m_machine.run == RunState::Fault;
+    if (wasActive || wasDown || isDownNow) // what is back behind the operator's stop is stopped again
         return;
     if (report.after == ControllerState::Enabled)
         raise({EventCode::Enabled});
