@@ -127,13 +127,17 @@ std::optional<MotionInhibit> Supervisor::motionInhibit() const {
 std::optional<Event> Supervisor::nearLimit() const {
     const double margin = kMeasuredMargin * limits().singularityMargin;
     const double smallest = m_estimate.singularity().smallestSingularValue;
-    if (smallest >= margin && m_estimate.determinantRatio() > 0.0)
-        return std::nullopt;
+    const double q = m_estimate.determinantRatio();
     MotionCheck check;
-    check.reason = MotionCheck::Reason::NearSingular;
-    check.value = smallest;
-    check.bound = margin;
-    return Event{EventCode::StoppedOnLimits, check};
+    if (!(smallest >= margin)) {
+        check.reason = MotionCheck::Reason::NearSingular;
+        check.value = smallest;
+        check.bound = margin;
+    } else if (!(q > 0.0)) {
+        check.reason = MotionCheck::Reason::WrongSideOfSingularity;
+        check.value = q;
+    }
+    return check.ok() ? std::nullopt : std::optional(Event{EventCode::StoppedOnLimits, check});
 }
 
 /// While something moves, or a pose is held by what is measured, every measurement must be good.

@@ -49,7 +49,8 @@ enum class EventCode {
     PreparationFailed,       ///< a reference or enable before a move did not come about [PreparationFailure]
     StoppedOnFollowingError, ///< [FollowingError]
     StoppedOnNoEcho,         ///< set-points go unaccepted [double: ms since the first of them]
-    StoppedOnLimits,         ///< a set-point would leave a stroke [MotionCheck]
+    StoppedOnLimits,         ///< a set-point would leave a stroke, or the measured pose is near a
+                             ///< singular one or beyond it [MotionCheck]
     StoppedOnNewIdentity,    ///< the controller gave another name or other limits [ControllerIdentity]
     StoppedAfterLoss,        ///< the link is back after a loss in mid-move: a stop was sent
     DisableUnconfirmed,      ///< the session ended without a confirmation that the drives are off

@@ -111,6 +111,8 @@ inline const std::vector<GoldenEvent> kGoldenEvents{
     {"stopped-on-following-error leg 6 off the path by 5.00 mm, and the path does not go on", {EventCode::StoppedOnFollowingError, FollowingError{FollowingError::Cause::Stalled, 6, 0.005, 0.024}}},
     {"stopped-on-no-echo 300", {EventCode::StoppedOnNoEcho, 300.0}},
     {"stopped-on-limits leg 3 below min_mm", {EventCode::StoppedOnLimits, checkOf(MotionCheck::Reason::LegBelowMin, 3, 1.0)}},
+    {"stopped-on-limits near singular", {EventCode::StoppedOnLimits, checkOf(MotionCheck::Reason::NearSingular, 0, 1.0)}},
+    {"stopped-on-limits across the singular poses", {EventCode::StoppedOnLimits, checkOf(MotionCheck::Reason::WrongSideOfSingularity, 0, 1.0)}},
     {"stopped-on-new-identity rig", {EventCode::StoppedOnNewIdentity, ControllerIdentity{"rig", {}, {}}}},
     {"stopped-on-new-identity rig, 250 to 301 mm", {EventCode::StoppedOnNewIdentity, ControllerIdentity{"rig", 0.250, 0.301}}},
     {"stopped-after-loss", {EventCode::StoppedAfterLoss}},

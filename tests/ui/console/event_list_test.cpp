@@ -73,8 +73,12 @@ TEST(EventList, EveryEventIsReportedAndTroubleSaysWhatToDo) {
     EXPECT_EQ(eventText(eventFrom("stopped-on-following-error leg 3 off by 25.1 mm, limit 24.0 mm")).cause,
               QStringLiteral(
                   "Stopped: a leg does not follow: leg 3 is 25.10 mm from its set-point, more than 24.0 mm"));
-    EXPECT_TRUE(eventText(eventFrom("stopped-on-limits leg 3 above max_mm"))
-                    .cause.endsWith(QStringLiteral("Leg 3 would be above its maximum")));
+    EXPECT_EQ(eventText(eventFrom("stopped-on-limits leg 3 above max_mm")).cause,
+              QStringLiteral("Stopped at a limit: Leg 3 would be above its maximum"));
+    EXPECT_EQ(eventText(eventFrom("stopped-on-limits near singular")).cause,
+              QStringLiteral("Stopped at a limit: Too close to a singular pose"));
+    EXPECT_EQ(eventText(eventFrom("stopped-on-limits across the singular poses")).cause,
+              QStringLiteral("Stopped at a limit: Beyond the singular poses"));
 }
 
 TEST(EventList, NoEventSpeaksEnglishInChinese) {

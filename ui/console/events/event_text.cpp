@@ -107,8 +107,7 @@ EventText stopText(const Event& event) {
                     .arg(fixed(event.value(), 0)),
                 clear, Tone::Bad};
     case EventCode::StoppedOnLimits:
-        return {withPayload(EventWords::tr("Stopped: a set-point would have left a stroke"), event), clear,
-                Tone::Bad};
+        return {withPayload(EventWords::tr("Stopped at a limit"), event), clear, Tone::Bad};
     case EventCode::StoppedOnNewIdentity:
         return {
             withPayload(EventWords::tr("Stopped: the controller gave another name or other limits"), event),
