@@ -475,6 +475,10 @@ FSI：以小步沿支腿路径跟踪
         <translation>请等待控制器连接。</translation>
     </message>
     <message>
+        <source>There is nothing to resume.</source>
+        <translation>没有可继续的运动。</translation>
+    </message>
+    <message>
         <source>Nothing has changed.</source>
         <translation>没有任何改变。</translation>
     </message>

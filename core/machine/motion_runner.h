@@ -45,6 +45,7 @@ public:
     void order(Order order, const Cycle& cycle);
     /// What the planning found; nothing while it goes on.
     std::optional<MotionCheck> plannedCheck();
+    MotionId orderId() const { return m_order ? m_order->id : kNoMotion; }
     void forgetOrder() { m_order.reset(); }
 
     // ---- the motion

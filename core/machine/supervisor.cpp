@@ -202,12 +202,13 @@ void Supervisor::followPlan() {
             raise({EventCode::Referencing});
         return;
     }
+    const MotionId id = m_motion.orderId();
     m_motion.forgetOrder();
     apply(MachineEvent::PlanRefused);
     if (!check->ok())
         raise({EventCode::MoveRefused, *check});
     else
-        refuse(Command::Run);
+        refuse(Command::Run, id);
 }
 
 /// The drives are on. Referencing may have moved the legs: the plan has to fit where they are now.
@@ -232,10 +233,8 @@ SetPoints Supervisor::output() {
     if (m_requests.empty() && m_motion.active())
         m_requests.ask(m_motion.takeRequest());
     out.request = m_requests.takeNext();
-    const bool on = m_machine.run == RunState::Enabled || m_machine.run == RunState::Moving ||
-                    m_machine.run == RunState::Settling;
-    if (out.request == DeviceRequest::Stop || !on || !m_machine.hasControl || !m_link.acceptsCommands() ||
-        m_link.state() != ControllerState::Enabled)
+    if (out.request == DeviceRequest::Stop || !drivesAreOn(m_machine.run) || !m_machine.hasControl ||
+        !m_link.acceptsCommands() || m_link.state() != ControllerState::Enabled)
         return out;
     const std::optional<LegLengths> setPoint = m_motion.nextSetPoint(cycle());
     if (!setPoint)

@@ -8,6 +8,7 @@
 #include "core/record/command_set.h"
 #include "core/record/controller_state.h"
 #include "core/record/device_refusal.h"
+#include "core/record/motion_id.h"
 #include "core/record/port_failure.h"
 #include "core/record/run_state.h"
 
@@ -75,6 +76,8 @@ struct MotionInhibit {
 struct CommandRefusal {
     Command command;
     RunState state;
+    std::optional<CommandSet> allowed = {}; ///< in its place; empty where that is not known, as from a log
+    MotionId id = kNoMotion;                ///< of the Run or Jog that was refused
     bool operator==(const CommandRefusal&) const = default;
 };
 

@@ -12,10 +12,6 @@ namespace {
 /// How soon an interruption is noticed when no cycle comes.
 constexpr std::chrono::milliseconds kLookEvery{50};
 
-bool isDown(RunState state) {
-    return state == RunState::Stopped || state == RunState::Fault;
-}
-
 } // namespace
 
 VisitJob::VisitJob(std::vector<Pose> targets, const Options& options)

@@ -14,6 +14,8 @@ namespace {
 using namespace std::chrono_literals;
 using testing::kSettleWindow;
 using testing::target;
+constexpr MotionId kRunId = 7;
+constexpr MotionId kJogId = 8;
 
 class ControlLoopRules : public testing::ControlLoopTest {
 protected:
@@ -45,8 +47,8 @@ protected:
         ASSERT_EQ(m_last.held, held);
     }
     const std::map<Command, OperatorCommand> m_commands{
-        {Command::Run, RunCommand{Pose{{0.0, 0.0, 0.005}, {}}, MotionMode::Joint, 7}},
-        {Command::Jog, JogCommand{{2, true, JogFrame::Base}, 1.0, 8}},
+        {Command::Run, RunCommand{Pose{{0.0, 0.0, 0.005}, {}}, MotionMode::Joint, kRunId}},
+        {Command::Jog, JogCommand{{2, true, JogFrame::Base}, 1.0, kJogId}},
         {Command::Stop, StopCommand{}},
         {Command::Reference, ReferenceCommand{}},
         {Command::Enable, EnableCommand{}},
@@ -80,6 +82,12 @@ TEST_F(ControlLoopRules, ARefusedCommandChangesNothingAndSendsNothing) {
             EXPECT_EQ(m_events[0].code, EventCode::CommandRefused);
             EXPECT_EQ(payloadWords(m_events[0]),
                       std::string(toWord(command)) + " in " + std::string(toWord(state)));
+            const auto* refusal = m_events[0].get<CommandRefusal>();
+            ASSERT_NE(refusal, nullptr);
+            EXPECT_EQ(refusal->allowed, before.allowed) << "what could be asked for in its place";
+            EXPECT_EQ(refusal->id, command == Command::Run   ? kRunId
+                                   : command == Command::Jog ? kJogId
+                                                             : kNoMotion);
             EXPECT_EQ(m_last.state, before.state);
             EXPECT_EQ(m_last.held, before.held);
             EXPECT_EQ(m_last.allowed, before.allowed);
