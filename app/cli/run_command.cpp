@@ -203,7 +203,7 @@ int runCommand(const QStringList& words) {
         reportDirectory->keep();
     VisitJob::Options options;
     options.mode = *mode;
-    options.speed = percent / 100.0;
+    options.speedOverride = percent / 100.0;
     options.sweep = sweep;
     options.clearFirst = arguments.has("clear");
     VisitJob job(targets, options);

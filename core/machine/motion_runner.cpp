@@ -205,7 +205,7 @@ std::optional<LegLengths> MotionRunner::nextSetPoint(const Cycle& cycle) {
         }
         m_setPoint = m_generator->step(step);
     } else if (!m_setPoint && !cycle.stale && cycle.measured) {
-        m_setPoint = holdPoint(cycle); // the controller's watchdog wants to hear us
+        m_setPoint = holdPoint(cycle); // for the controller's watchdog
     }
     return m_setPoint;
 }

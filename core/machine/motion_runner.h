@@ -75,7 +75,7 @@ public:
         return m_move ? std::optional(m_move->phase()) : std::nullopt;
     }
     bool preparing() const { return m_move && m_move->preparing(); }
-    DeviceRequest takeRequest() { return m_move ? m_move->takeRequest() : DeviceRequest::None; }
+    DeviceRequest nextRequest() { return m_move ? m_move->nextRequest() : DeviceRequest::None; }
     /// Events of the generator, such as a jog that a limit ended.
     std::optional<Event> takeEvent() { return m_generator ? m_generator->takeEvent() : std::nullopt; }
 

@@ -231,7 +231,7 @@ SetPoints Supervisor::output() {
     if (!m_motion.setPoint())
         m_following.reset();
     if (m_requests.empty() && m_motion.active())
-        m_requests.ask(m_motion.takeRequest());
+        m_requests.ask(m_motion.nextRequest());
     out.request = m_requests.takeNext();
     if (out.request == DeviceRequest::Stop || !drivesAreOn(m_machine.run) || !m_machine.hasControl ||
         !m_link.acceptsCommands() || m_link.state() != ControllerState::Enabled)

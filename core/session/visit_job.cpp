@@ -58,7 +58,7 @@ std::vector<OperatorCommand> VisitJob::add(const Snapshot& snapshot) {
     }
     std::vector<OperatorCommand> commands;
     if (!std::exchange(m_speedPosted, true))
-        commands.push_back(SpeedCommand{m_options.speed});
+        commands.push_back(SpeedCommand{m_options.speedOverride});
     if (std::optional<SettledSample> sample = m_sampler.add(snapshot))
         m_samples.push_back(*sample);
     const bool waiting = m_sequence.phase() == PoseSequence::Phase::Waiting;

@@ -48,7 +48,7 @@ void LineDevice::Impl::sendStop(bool asked, Time time) {
         disable.confirm();
         channel->dropUnsent();
     }
-    if (stop.takeDue(time, options.stopEvery, options.stopGiveUpAfter))
+    if (stop.sendsNow(time, options.stopEvery, options.stopGiveUpAfter))
         write(line::Stop{});
 }
 
@@ -70,7 +70,7 @@ void LineDevice::Impl::sendHandshake(Time time) {
 }
 
 void LineDevice::Impl::sendRequest(DeviceRequest request, Time time) {
-    if (request == DeviceRequest::None && disable.takeDue(time, options.stopEvery, options.stopGiveUpAfter))
+    if (request == DeviceRequest::None && disable.sendsNow(time, options.stopEvery, options.stopGiveUpAfter))
         return write(line::Disable{});
     const std::optional<line::LineMessage> message = line::messageOf(request);
     if (!message || request == DeviceRequest::Stop)
@@ -87,7 +87,7 @@ void LineDevice::Impl::sendRequest(DeviceRequest request, Time time) {
     disable.confirm();
     if (request == DeviceRequest::Disable) {
         disable.begin(time);
-        disable.takeDue(time, options.stopEvery, options.stopGiveUpAfter); // it has just been sent
+        disable.sendsNow(time, options.stopEvery, options.stopGiveUpAfter); // it has just been sent
     }
 }
 

@@ -59,7 +59,7 @@ void Repeater::begin(Time time) {
     m_nextDue = time;
 }
 
-bool Repeater::takeDue(Time time, std::chrono::milliseconds every, std::chrono::milliseconds giveUpAfter) {
+bool Repeater::sendsNow(Time time, std::chrono::milliseconds every, std::chrono::milliseconds giveUpAfter) {
     if (!m_begun || time < m_nextDue)
         return false;
     if (time - *m_begun > giveUpAfter) {

@@ -43,8 +43,8 @@ public:
     void begin(Time time);
     void confirm() { m_begun.reset(); }
     bool active() const { return m_begun.has_value(); }
-    /// Whether to send it now; ends by itself after giveUpAfter.
-    bool takeDue(Time time, std::chrono::milliseconds every, std::chrono::milliseconds giveUpAfter);
+    /// Whether to send it now, which counts as sent; ends by itself after giveUpAfter.
+    bool sendsNow(Time time, std::chrono::milliseconds every, std::chrono::milliseconds giveUpAfter);
 
 private:
     std::optional<Time> m_begun;
