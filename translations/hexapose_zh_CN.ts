@@ -427,8 +427,8 @@ FSI：以小步沿支腿路径跟踪
         <translation>已停止：控制器在 %1 ms 内未接受任何设定值</translation>
     </message>
     <message>
-        <source>Stopped: a set-point would have left a stroke</source>
-        <translation>已停止：设定值将超出行程</translation>
+        <source>Stopped at a limit</source>
+        <translation>已在限值处停止</translation>
     </message>
     <message>
         <source>Stopped: the controller gave another name or other limits</source>
@@ -485,6 +485,10 @@ FSI：以小步沿支腿路径跟踪
     <message>
         <source>Wait until a controller is connected.</source>
         <translation>请等待控制器连接。</translation>
+    </message>
+    <message>
+        <source>There is nothing to resume.</source>
+        <translation>没有可继续的运动。</translation>
     </message>
     <message>
         <source>Nothing has changed.</source>

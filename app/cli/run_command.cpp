@@ -105,9 +105,8 @@ ConnectionSpec connectionOf(const std::string& port, int baud) {
 
 /// What follows from an end of this kind.
 std::string remedyOf(const VisitFailure& failure) {
-    const bool down = failure.state == RunState::Stopped || failure.state == RunState::Fault;
     const bool refused = failure.event && failure.event->code == EventCode::CommandRefused;
-    return refused && down ? "; --clear leaves it first" : "";
+    return refused && isDown(failure.state) ? "; --clear leaves it first" : "";
 }
 
 /// "z,5,0.1,2,20": 5 mm along z, from 0.1 to 2 Hz in 20 s.
@@ -205,7 +204,7 @@ int runCommand(const QStringList& words) {
         reportDirectory->keep();
     VisitJob::Options options;
     options.mode = *mode;
-    options.speed = percent / 100.0;
+    options.speedOverride = percent / 100.0;
     options.sweep = sweep;
     options.clearFirst = arguments.has("clear");
     VisitJob job(targets, options);

@@ -119,10 +119,10 @@ void LogWriter::Impl::run(const std::stop_token& stop) {
     for (bool last = false; !last;) {
         {
             std::unique_lock lock(mutex);
-            // While writing fails a full queue is no reason to hurry.
-            const bool hurry = text.empty();
+            // While writing fails a full queue is no reason to write early.
+            const bool writeEarly = text.empty();
             wake.wait_for(lock, stop, kFlushInterval,
-                          [&] { return hurry && queue.size() >= kQueueRows / 2; });
+                          [&] { return writeEarly && queue.size() >= kQueueRows / 2; });
             last = stop.stop_requested();
         }
         writeFaults();
@@ -223,7 +223,7 @@ void LogWriter::append(const SnapshotPtr& snapshot) {
     m_impl->remember(snapshot);
     if (!m_impl->becomesRow(*snapshot))
         return;
-    bool hurry = false;
+    bool halfFull = false;
     {
         const std::lock_guard lock(m_impl->mutex);
         if (m_impl->queue.size() == kQueueRows) {
@@ -233,9 +233,9 @@ void LogWriter::append(const SnapshotPtr& snapshot) {
         }
         m_impl->queue.push_back(snapshot);
         ++m_impl->taken;
-        hurry = m_impl->queue.size() == kQueueRows / 2;
+        halfFull = m_impl->queue.size() == kQueueRows / 2;
     }
-    if (hurry)
+    if (halfFull)
         m_impl->wake.notify_one();
 }
 

@@ -19,14 +19,6 @@
 
 namespace hexapose {
 
-namespace {
-
-bool moves(RunState state) {
-    return state == RunState::Moving || state == RunState::Settling;
-}
-
-} // namespace
-
 struct Session::Impl {
     SessionSetup setup;
     DeviceFactory factory;
@@ -65,7 +57,7 @@ void Session::Impl::deliver(SnapshotPtr snapshot) {
 
 std::optional<Event> Session::Impl::takeSolver(ReplaceableSolver& solver, RunState state) {
     const std::lock_guard lock(mutex);
-    if (!next || moves(state))
+    if (!next || isInMotion(state))
         return std::nullopt;
     solver.replace(next->solver);
     inUse = next->solver;

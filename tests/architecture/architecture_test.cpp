@@ -100,6 +100,18 @@ TEST(Architecture, NoSourceGrowsOutOfHand) {
     EXPECT_THAT(checkTree({"core", "ui", "app", "tests"}, sizeViolations, isSource), IsEmpty());
 }
 
+TEST(Architecture, EverySourceIsInTheListOfItsFolder) {
+    const auto rule = [](std::string_view path, std::string_view) {
+        const fs::path top = HEXAPOSE_SOURCE_DIR;
+        fs::path folder = fs::path(path).parent_path();
+        while (!fs::exists(top / folder / "CMakeLists.txt"))
+            folder = folder.parent_path();
+        return listViolations(path, folder.generic_string(), readText(top / folder / "CMakeLists.txt"));
+    };
+    const auto isUnit = [](const fs::path& file) { return file.extension() == ".cpp"; };
+    EXPECT_THAT(checkTree({"core", "ui", "app", "tests"}, rule, isUnit), IsEmpty());
+}
+
 TEST(SourceRules, ReversedArrowIsToldWithItsLine) {
     EXPECT_THAT(
         including("core/geometry/pose.h", "\"core/kinematics/jacobian.h\""),
@@ -198,6 +210,19 @@ TEST(SourceRules, LicenceFollowsTheFolder) {
     EXPECT_THAT(headerViolations("app/cli/main.cpp", mit),
                 ElementsAre(HasSubstr("licence GPL-3.0-or-later")));
     EXPECT_THAT(headerViolations("core/geometry/pose.h", "#pragma once\n" + mit), testing::SizeIs(1));
+}
+
+TEST(SourceRules, ASourceThatNoListNamesIsTold) {
+    const std::string list =
+        "hexapose_test(jog_test\n  SOURCES move_test.cpp sub/more.cpp) # late_test.cpp\n";
+    EXPECT_THAT(listViolations("tests/core/a/move_test.cpp", "tests/core/a", list), IsEmpty());
+    EXPECT_THAT(listViolations("tests/core/a/sub/more.cpp", "tests/core/a", list), IsEmpty());
+    for (const char* missing : {"tests/core/a/jog_test.cpp", "tests/core/a/more.cpp", "tests/core/a/test.cpp",
+                                "tests/core/a/late_test.cpp"})
+        EXPECT_THAT(listViolations(missing, "tests/core/a", list),
+                    ElementsAre(HasSubstr("is not named in tests/core/a/CMakeLists.txt")))
+            << missing;
+    EXPECT_THAT(listViolations("tests/examples/01_a.cpp", "tests/examples", "example(01_a x)"), IsEmpty());
 }
 
 TEST(SourceRules, LongSourcesAndQtInCoreListsAreTold) {

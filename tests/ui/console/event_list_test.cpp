@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/machine/machine_state.h"
 #include "tests/support/events.h"
 #include "tests/support/golden_events.h"
 #include "ui/common/language.h"
@@ -79,8 +80,45 @@ TEST(EventList, EveryEventIsReportedAndTroubleSaysWhatToDo) {
     EXPECT_EQ(eventText(eventFrom("stopped-on-following-error leg 3 off by 25.1 mm, limit 24.0 mm")).cause,
               QStringLiteral(
                   "Stopped: a leg does not follow: leg 3 is 25.10 mm from its set-point, more than 24.0 mm"));
-    EXPECT_TRUE(eventText(eventFrom("stopped-on-limits leg 3 above max_mm"))
-                    .cause.endsWith(QStringLiteral("Leg 3 would be above its maximum")));
+    EXPECT_EQ(eventText(eventFrom("stopped-on-limits leg 3 above max_mm")).cause,
+              QStringLiteral("Stopped at a limit: Leg 3 would be above its maximum"));
+    EXPECT_EQ(eventText(eventFrom("stopped-on-limits near singular")).cause,
+              QStringLiteral("Stopped at a limit: Too close to a singular pose"));
+    EXPECT_EQ(eventText(eventFrom("stopped-on-limits across the singular poses")).cause,
+              QStringLiteral("Stopped at a limit: Beyond the singular poses"));
+}
+
+/// Of the machine table's word, not of a copy of it: what is allowed comes with the refusal.
+TEST(EventList, TheAdviceOfARefusalFollowsWhatIsAllowed) {
+    const auto advice = [](Command command, const MachineState& machine) {
+        return eventText({EventCode::CommandRefused,
+                          CommandRefusal{command, machine.run, allowedCommands(machine)}})
+            .advice;
+    };
+    const QString clear = QStringLiteral("After a stop or a fault press Clear first.");
+    const QString wait = QStringLiteral("Wait until the motion is over, or press Stop.");
+    const MachineState stopped{.run = RunState::Stopped, .latch = Latch::Host};
+    const MachineState moving{.run = RunState::Moving, .hasControl = true};
+    EXPECT_EQ(advice(Command::Run, stopped), clear);
+    EXPECT_EQ(advice(Command::Jog, stopped), clear);
+    EXPECT_EQ(advice(Command::Run, moving), wait);
+    EXPECT_EQ(advice(Command::Run, {.run = RunState::Enabled, .pending = Pending::Motion}), wait)
+        << "a motion is being prepared";
+    EXPECT_EQ(advice(Command::Jog, moving), QStringLiteral("Wait until the motion is over."));
+    for (const RunState off : {RunState::Unreferenced, RunState::Disabled, RunState::Enabled}) {
+        EXPECT_EQ(advice(Command::Jog, {.run = off}),
+                  QStringLiteral("Press Enable first; a jog does not switch the drives on."))
+            << toWord(off);
+    }
+    EXPECT_EQ(advice(Command::Resume, moving), QStringLiteral("There is nothing to resume."));
+    EXPECT_EQ(advice(Command::Clear, {.run = RunState::Enabled}), QStringLiteral("Nothing has changed."));
+    EXPECT_EQ(eventText({EventCode::CommandRefused,
+                         CommandRefusal{Command::Run, RunState::Disconnected, CommandSet{Command::Stop}}})
+                  .advice,
+              QStringLiteral("Wait until a controller is connected."));
+    EXPECT_EQ(eventText(eventFrom("command-refused run in stopped")).advice,
+              QStringLiteral("Nothing has changed."))
+        << "a log does not tell what was allowed";
 }
 
 TEST(EventList, NoEventSpeaksEnglishInChinese) {

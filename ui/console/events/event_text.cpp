@@ -27,25 +27,30 @@ QString withPayload(const QString& cause, const Event& event) {
     return payload.isEmpty() ? cause : EventWords::tr("%1: %2").arg(cause, payload);
 }
 
-/// What has to come before a command that the present state does not allow.
+/// What has to come before a command that the machine does not allow now.
 QString refusalAdvice(const CommandRefusal& refusal) {
+    if (!refusal.allowed) {
+        return EventWords::tr("Nothing has changed.");
+    }
+    const CommandSet& allowed = *refusal.allowed;
+    const bool needsDrives = refusal.command == Command::Jog;
+    if (!allowed.contains(Command::Disable)) {
+        return EventWords::tr("Wait until a controller is connected.");
+    }
+    if (allowed.contains(Command::Clear)) {
+        return EventWords::tr("After a stop or a fault press Clear first.");
+    }
+    if (needsDrives && (allowed.contains(Command::Enable) || allowed.contains(Command::Reference))) {
+        return EventWords::tr("Press Enable first; a jog does not switch the drives on.");
+    }
     if (refusal.command == Command::Resume) {
         return EventWords::tr("There is nothing to resume.");
     }
-    const bool down = refusal.state == RunState::Stopped || refusal.state == RunState::Fault;
-    const bool moving = refusal.state == RunState::Moving || refusal.state == RunState::Settling;
-    if (refusal.command == Command::Jog && !down) {
-        return moving ? EventWords::tr("Wait until the motion is over.")
-                      : EventWords::tr("Press Enable first; a jog does not switch the drives on.");
+    if (allowed.contains(Command::Run)) { // no motion is in the way
+        return EventWords::tr("Nothing has changed.");
     }
-    if (down) {
-        return EventWords::tr("After a stop or a fault press Clear first.");
-    }
-    if (moving) {
-        return EventWords::tr("Wait until the motion is over, or press Stop.");
-    }
-    return refusal.state == RunState::Disconnected ? EventWords::tr("Wait until a controller is connected.")
-                                                   : EventWords::tr("Nothing has changed.");
+    return needsDrives ? EventWords::tr("Wait until the motion is over.")
+                       : EventWords::tr("Wait until the motion is over, or press Stop.");
 }
 
 QString moveAdvice(const Event& event) {
@@ -112,8 +117,7 @@ EventText stopText(const Event& event) {
                     .arg(fixed(event.value(), 0)),
                 clear, Tone::Bad};
     case EventCode::StoppedOnLimits:
-        return {withPayload(EventWords::tr("Stopped: a set-point would have left a stroke"), event), clear,
-                Tone::Bad};
+        return {withPayload(EventWords::tr("Stopped at a limit"), event), clear, Tone::Bad};
     case EventCode::StoppedOnNewIdentity:
         return {
             withPayload(EventWords::tr("Stopped: the controller gave another name or other limits"), event),

@@ -129,26 +129,19 @@ QString JogPanel::hindrance() const {
     if (const QString why = linkInhibit(m_latest); !why.isEmpty()) {
         return why;
     }
-    switch (m_latest.state) {
-    case RunState::Unreferenced:
-        return tr("Press Reference and Enable first; a jog needs the drives on");
-    case RunState::Stopped:
-    case RunState::Fault:
-        return tr("Press Clear and Enable first; a jog needs the drives on");
-    case RunState::Disabled:
-    case RunState::Disconnected:
-        return tr("Press Enable first; a jog needs the drives on");
-    case RunState::Moving:
-        return m_jogging || m_stepping ? QString() : tr("Wait until the motion is over, or press Stop");
-    case RunState::Enabled:
-    case RunState::Settling:
-        break;
-    }
-    if (m_latest.allowed.contains(Command::Jog)) {
+    const CommandSet& allowed = m_latest.allowed;
+    if (allowed.contains(Command::Jog) || m_jogging || m_stepping) {
         return {};
     }
-    return m_latest.allowed.contains(Command::Enable) ? tr("Press Enable first; a jog needs the drives on")
-                                                      : tr("Wait until the motion is over, or press Stop");
+    if (allowed.contains(Command::Clear)) {
+        return tr("Press Clear and Enable first; a jog needs the drives on");
+    }
+    if (allowed.contains(Command::Enable) || !allowed.contains(Command::Disable)) {
+        return tr("Press Enable first; a jog needs the drives on");
+    }
+    return allowed.contains(Command::Reference)
+               ? tr("Press Reference and Enable first; a jog needs the drives on")
+               : tr("Wait until the motion is over, or press Stop");
 }
 
 void JogPanel::showHint() {

@@ -37,10 +37,6 @@ double seconds(std::chrono::nanoseconds time) {
     return std::chrono::duration<double>(time).count();
 }
 
-bool drivesAreOn(RunState state) {
-    return state == RunState::Enabled || state == RunState::Moving || state == RunState::Settling;
-}
-
 } // namespace
 
 OperatorWindow::OperatorWindow(const PlatformGeometry& geometry, PortList ports, QWidget* parent)
