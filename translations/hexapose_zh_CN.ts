@@ -617,6 +617,10 @@ FSI：以小步沿支腿路径跟踪
         <source>Ended by Stop. Press Clear before the next one.</source>
         <translation>已由“停止”结束。下次测试前请先按“故障复位”。</translation>
     </message>
+    <message>
+        <source>The platform is not ready any more. Nothing moved.</source>
+        <translation>平台已不再就绪。未产生运动。</translation>
+    </message>
 </context>
 <context>
     <name>hexapose::JogPanel</name>
@@ -1588,6 +1592,14 @@ FSI：以小步沿支腿路径跟踪
         <source>Target %1: %2</source>
         <translation>目标 %1：%2</translation>
     </message>
+    <message>
+        <source>Cannot run: no valid measurement received</source>
+        <translation>无法运行：没有收到有效的测量值</translation>
+    </message>
+    <message>
+        <source>Checking the target</source>
+        <translation>正在检查目标</translation>
+    </message>
 </context>
 <context>
     <name>hexapose::MotionCheckText</name>
@@ -1857,6 +1869,14 @@ FSI：以小步沿支腿路径跟踪
     <message>
         <source>A field of the target is refused</source>
         <translation>目标中有一项未被接受</translation>
+    </message>
+    <message>
+        <source>Checking the list; Stop ends it</source>
+        <translation>正在检查列表；按“停止”可结束</translation>
+    </message>
+    <message>
+        <source>The platform is not ready any more. Nothing moved.</source>
+        <translation>平台已不再就绪。未产生运动。</translation>
     </message>
 </context>
 <context>

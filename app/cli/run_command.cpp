@@ -179,8 +179,8 @@ int runCommand(const QStringList& words) {
     const std::vector<Pose> targets = sweep ? std::vector<Pose>{Pose{}} : readPoseList(targetsFile);
     ControlOptions control;
     control.envelope = arguments.envelope();
-    requireReachable(MotionPlanner(makeModel(platform), plannerSettings(control, platform)), targets,
-                     targetsFile);
+    const SharedModel model = makeModel(platform);
+    requireReachable(MotionPlanner(model, plannerSettings(control, platform)), targets, targetsFile);
     const ChosenSolver chosen = chooseSolver(arguments, platform);
     if (arguments.has("report"))
         checkReport(arguments.requiredText("report"), logFile);
@@ -192,7 +192,7 @@ int runCommand(const QStringList& words) {
     const ConnectionSpec connection = connectionOf(port, baud);
 
     SessionSetup setup;
-    setup.geometry = platform;
+    setup.model = model;
     setup.solver = chosen.solver;
     setup.modelFingerprint = chosen.modelFingerprint;
     setup.programVersion = HEXAPOSE_VERSION;

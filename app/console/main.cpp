@@ -135,9 +135,9 @@ int main(int argc, char* argv[]) {
             return 0;
         }
         checkPort(options);
-        const std::vector<Pose> trial = options.headless
-                                            ? trialPoses(options.geometry, options.envelope, kReportPoses)
-                                            : std::vector<Pose>();
+        const std::vector<Pose> trial =
+            options.headless ? trialPoses(*makeModel(options.geometry), options.envelope, kReportPoses)
+                             : std::vector<Pose>();
         if (options.logDirectory.empty()) {
             options.logDirectory = defaultLogDirectory();
         }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/geometry/platform_geometry.h"
 #include "core/kinematics/forward_solver.h"
+#include "core/kinematics/platform_model.h"
 #include "core/machine/command.h"
 #include "core/machine/control_options.h"
 #include "core/machine/cycle_observer.h"
@@ -28,7 +28,7 @@ public:
 
     /// device and solver outlive the loop. sink is called at the end of every cycle, on the owning thread.
     /// planner: a PlanningThread if not given; a loop in simulated time wants an ImmediatePlanner.
-    ControlLoop(PlatformDevice& device, const PlatformGeometry& geometry, const ForwardSolver& solver,
+    ControlLoop(PlatformDevice& device, SharedModel model, const ForwardSolver& solver,
                 const ControlOptions& options, Sink sink, std::function<Clock::time_point()> now = Clock::now,
                 std::unique_ptr<Planner> planner = nullptr);
     ~ControlLoop();

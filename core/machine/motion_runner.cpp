@@ -29,13 +29,6 @@ WorkspaceOptions workspaceOptions(const ControlOptions& options) {
     return workspace;
 }
 
-bool isPlanOf(const PlannedMotion& plan, const MotionRequest& request) {
-    const auto* planned = std::get_if<StraightMove>(&plan.request);
-    const auto* asked = std::get_if<StraightMove>(&request);
-    return planned && asked && planned->mode == asked->mode &&
-           planned->target.toVector() == asked->target.toVector();
-}
-
 } // namespace
 
 MotionRunner::MotionRunner(SharedModel model, const ControlOptions& options, Planner& planner)
@@ -68,8 +61,11 @@ void MotionRunner::order(Order order, const Cycle& cycle) {
     m_order = std::move(order);
     m_replansLeft = kReplans;
     const auto& given = m_order->plan;
+    const auto* move = std::get_if<StraightMove>(&m_order->request);
+    // Made as this loop would make it, and still of now; a refusal of somebody else's is not taken over.
     const bool usable =
-        given && isPlanOf(*given, m_order->request) &&
+        given && move && given->isFor(*move) && given->bounds == m_options.bounds &&
+        given->strokeSlack == m_options.settleWindow.distance &&
         checkStart(*given, startOf(cycle), cycle.limits, kStartOfWindow * m_options.settleWindow.distance,
                    kStartOfWindow * m_options.settleWindow.angle)
             .ok();

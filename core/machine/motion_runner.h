@@ -40,7 +40,7 @@ public:
     struct Order {
         MotionRequest request;
         MotionId id = kNoMotion;
-        std::shared_ptr<const PlannedMotion> plan; ///< given, or made
+        SharedPlan plan; ///< given, or made
     };
     void order(Order order, const Cycle& cycle);
     /// What the planning found; nothing while it goes on.

@@ -106,7 +106,7 @@ void Session::Impl::cycles(const std::stop_token& stop, const ConnectionSpec& co
         return inUse;
     }());
     std::optional<Event> change; // of the solver, reported with the cycle that is the first to use it
-    ControlLoop control(*device, setup.geometry, solver, setup.control, [&](const Snapshot& snapshot) {
+    ControlLoop control(*device, setup.model, solver, setup.control, [&](const Snapshot& snapshot) {
         auto kept = std::make_shared<Snapshot>(snapshot);
         if (change)
             kept->events.insert(kept->events.begin(), *std::exchange(change, std::nullopt));
@@ -176,7 +176,7 @@ void Session::open(const ConnectionSpec& connection) {
 void Session::open(const ConnectionSpec& connection, const std::filesystem::path& logFile) {
     close();
     LogMetadata metadata;
-    metadata.platform = m_impl->setup.geometry;
+    metadata.platform = m_impl->setup.model->geometry();
     metadata.modelFingerprint = m_impl->setup.modelFingerprint;
     metadata.solver = std::string(m_impl->setup.solver->name());
     metadata.programVersion = m_impl->setup.programVersion;

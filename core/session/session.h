@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/base/thread_priority.h"
-#include "core/geometry/platform_geometry.h"
 #include "core/kinematics/forward_solver.h"
+#include "core/kinematics/platform_model.h"
 #include "core/machine/command.h"
 #include "core/machine/control_loop.h"
 #include "core/session/connection.h"
@@ -22,7 +22,7 @@ class PlatformDevice;
 
 /// What a session works with; fixed while it is open, except for the solver.
 struct SessionSetup {
-    PlatformGeometry geometry;
+    SharedModel model; ///< of all who work with this session: its loop, and the screen
     std::shared_ptr<const ForwardSolver> solver;
     std::string modelFingerprint;
     std::string programVersion;

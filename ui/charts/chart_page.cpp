@@ -82,8 +82,8 @@ QPushButton* makeToggle(QButtonGroup& group, int id, QWidget* parent) {
 
 } // namespace
 
-ChartPage::ChartPage(const PlatformGeometry& geometry, QWidget* parent)
-    : QWidget(parent), m_geometry(geometry), m_history(kChannels), m_window(kWindow),
+ChartPage::ChartPage(SharedModel model, QWidget* parent)
+    : QWidget(parent), m_model(std::move(model)), m_history(kChannels), m_window(kWindow),
       m_colors(themeColors(ThemeKind::Light)) {
     m_turn.setInterval(kTurnMs);
     connect(&m_turn, &QTimer::timeout, this, &ChartPage::drawNext);
@@ -236,7 +236,7 @@ ChartSubject ChartPage::describe(std::size_t index) const {
     const double reach = coordinate.angle ? kAngleRange : kOffsetRange;
     switch (m_subject) {
     case Subject::Legs: {
-        const Leg& leg = m_geometry.legs[index];
+        const Leg& leg = m_model->geometry().legs[index];
         return {tr("Leg %1").arg(index + 1),
                 QStringLiteral("mm"),
                 kLeg + index,

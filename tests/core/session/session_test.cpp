@@ -62,7 +62,7 @@ protected:
 
     SessionSetup setup() const {
         SessionSetup setup;
-        setup.geometry = geometry;
+        setup.model = model;
         setup.solver = std::make_shared<NewtonRaphson>(geometry, NewtonOptions{});
         setup.logDirectory = folder;
         setup.control.staleAfter = 60s;
@@ -94,6 +94,7 @@ protected:
     }
 
     PlatformGeometry geometry;
+    SharedModel model = makeModel(geometry);
     fs::path folder;
     std::unique_ptr<VirtualPlatformServer> server;
 };

@@ -20,7 +20,8 @@ using testing::findByName;
 
 class ChartPageTest : public ::testing::Test {
 protected:
-    ChartPageTest() : page(loadPlatform(HEXAPOSE_SOURCE_DIR "/resources/platforms/laboratory.toml")) {
+    ChartPageTest()
+        : page(makeModel(loadPlatform(HEXAPOSE_SOURCE_DIR "/resources/platforms/laboratory.toml"))) {
         page.resize(900, 450);
         page.show();
     }

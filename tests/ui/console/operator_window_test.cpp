@@ -38,13 +38,13 @@ namespace hexapose {
 namespace {
 
 using namespace hexapose::testing;
-constexpr int kPatienceMs = 20000; // only against hanging
 
 class OperatorWindowTest : public ::testing::Test {
 protected:
-    OperatorWindowTest() : geometry(laboratoryPlatform()), window(geometry, [] { return QStringList(); }) {
+    OperatorWindowTest()
+        : geometry(laboratoryPlatform()), window(makeModel(geometry), [] { return QStringList(); }) {
         SessionSetup setup;
-        setup.geometry = geometry;
+        setup.model = makeModel(geometry);
         setup.solver = newtonSolver(geometry);
         setup.logDirectory = folder.path().toStdString();
         window.setSession(std::make_unique<Session>(
@@ -92,6 +92,7 @@ TEST_F(OperatorWindowTest, OperatorsMainJob) {
     ASSERT_TRUE(waitFor([this] { return button("Run")->isEnabled() && spoken("Measured x") == "0.000"; }));
     type("Target x", "2");
     type("Target gamma", "1.5");
+    ASSERT_TRUE(waitFor([this] { return button("Run")->isEnabled(); }));
     EXPECT_EQ(spoken("Validity"), "Reachable");
     button("Run")->click();
     ASSERT_TRUE(waitFor([this] { return happened("Settled after"); }));
@@ -316,7 +317,7 @@ TEST_F(OperatorWindowTest, NothingThatIsRefusedEndsAListOrItsHold) {
         button(name)->click();
     }
     // Whoever asks all the same is refused by the loop.
-    emit window.targetPanel().runRequested(poseOf(0, 0, 5, 0, 0, 0), 1234);
+    emit window.targetPanel().runRequested(poseOf(0, 0, 5, 0, 0, 0), 1234, {});
     window.reportPanel().runList({poseOf(1, 0, 0, 0, 0, 0)});
     ASSERT_TRUE(waitFor([this] { return !window.reportPanel().isRunning(); }));
     ASSERT_TRUE(waitFor([this] { return happened("cannot be carried out"); }));

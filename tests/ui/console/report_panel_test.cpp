@@ -22,7 +22,7 @@ using namespace hexapose::testing;
 
 class ReportPanelTest : public ::testing::Test {
 protected:
-    ReportPanelTest() : geometry(laboratoryPlatform()), panel(geometry) {
+    ReportPanelTest() : geometry(laboratoryPlatform()), panel(makeModel(geometry)) {
         panel.setSolver(newtonSolver(geometry));
         panel.setConnected(true);
         panel.setDefaultFolder(folder.path() + QStringLiteral("/run-report"));

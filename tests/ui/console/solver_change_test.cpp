@@ -30,7 +30,7 @@ protected:
           fsi(std::make_shared<FiniteStepSolver>(geometry, FiniteStepOptions{.steps = 100})) {}
     std::unique_ptr<Session> makeSession() {
         SessionSetup setup;
-        setup.geometry = geometry;
+        setup.model = makeModel(geometry);
         setup.solver = newtonSolver(geometry);
         setup.logDirectory = folder.path().toStdString();
         return std::make_unique<Session>(
@@ -93,7 +93,7 @@ TEST_F(SolverChangeTest, WaitsForTheEndOfAMoveAndLosesNoCycle) {
 }
 
 TEST_F(SolverChangeTest, TheWindowFollows) {
-    OperatorWindow window(geometry, [] { return QStringList(); });
+    OperatorWindow window(makeModel(geometry), [] { return QStringList(); });
     window.setSession(makeSession());
     window.show();
     const auto box = [&] { return qobject_cast<QComboBox*>(findByName(window, QStringLiteral("Solver"))); };

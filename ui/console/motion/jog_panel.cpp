@@ -29,9 +29,8 @@ bool endsTheJog(EventCode code) {
 
 } // namespace
 
-JogPanel::JogPanel(const PlatformGeometry& geometry, QWidget* parent,
-                   std::function<JogHold::Clock::time_point()> now)
-    : QWidget(parent), m_planner(makeModel(geometry), plannerSettings({}, geometry)),
+JogPanel::JogPanel(const SharedModel& model, QWidget* parent, std::function<JogHold::Clock::time_point()> now)
+    : QWidget(parent), m_planner(model, plannerSettings({}, model->geometry())),
       m_hold([this] { return mayGoOn(); }, std::move(now)) {
     build();
     connect(&m_hold, &JogHold::held, this, [this](const JogDirection& direction) {

@@ -31,7 +31,7 @@ class TextReadOut;
 class JogPanel final : public QWidget {
     Q_OBJECT
 public:
-    explicit JogPanel(const PlatformGeometry& geometry, QWidget* parent = nullptr,
+    explicit JogPanel(const SharedModel& model, QWidget* parent = nullptr,
                       std::function<JogHold::Clock::time_point()> now = JogHold::Clock::now);
 
     void setControl(const ControlOptions& options) {

@@ -25,11 +25,11 @@ constexpr int kStopHeight = 38;
 constexpr int kWorkspaceIndex = 1;
 } // namespace
 
-MotionPanel::MotionPanel(const PlatformGeometry& geometry, QWidget* parent)
+MotionPanel::MotionPanel(const SharedModel& model, QWidget* parent)
     : Card(parent), m_modeLabel(new QLabel(this)), m_mode(new QComboBox(this)),
       m_speed(new SpeedControl(this)), m_tabs(new QTabBar(this)), m_stack(new QStackedWidget(this)),
-      m_target(new TargetPanel(geometry, this)), m_jog(new JogPanel(geometry, this)),
-      m_wayPoints(new WayPointsPanel(geometry, this)), m_test(new GuidedTestPanel(geometry, this)),
+      m_target(new TargetPanel(model, this)), m_jog(new JogPanel(model, this)),
+      m_wayPoints(new WayPointsPanel(model, this)), m_test(new GuidedTestPanel(model, this)),
       m_stop(new QPushButton(this)) {
     build();
     wire();
@@ -80,8 +80,8 @@ void MotionPanel::wire() {
 
     // What is asked for here changes nothing by itself: a list or a test ends when the loop has accepted
     // another motion, which it sees in the snapshots.
-    const auto run = [this](const Pose& pose, MotionId id) {
-        emit commandRequested(RunCommand{pose, mode(), id});
+    const auto run = [this](const Pose& pose, MotionId id, const SharedPlan& plan) {
+        emit commandRequested(RunCommand{pose, mode(), id, plan});
     };
     connect(m_target, &TargetPanel::runRequested, this, run);
     connect(m_wayPoints, &WayPointsPanel::runRequested, this, run);

@@ -59,7 +59,8 @@ void WayPointsPanel::build() {
 
     connect(m_table, &WayPointTable::edited, this, &WayPointsPanel::followTable);
     connect(m_table, &QTableWidget::itemSelectionChanged, this, &WayPointsPanel::updateButtons);
-    connect(m_addMeasured, &QPushButton::clicked, this, [this] { addPose(m_measured); });
+    connect(m_addMeasured, &QPushButton::clicked, this,
+            [this] { addPose(m_from ? std::optional(m_from->pose) : std::nullopt); });
     connect(m_addTarget, &QPushButton::clicked, this,
             [this] { addPose(m_target ? m_target() : std::nullopt); });
     connect(m_remove, &QPushButton::clicked, m_table, &WayPointTable::removeCurrent);

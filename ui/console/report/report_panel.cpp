@@ -32,8 +32,8 @@ constexpr std::uint64_t kSeed = 1;
 
 } // namespace
 
-ReportPanel::ReportPanel(const PlatformGeometry& geometry, QWidget* parent)
-    : QWidget(parent), m_geometry(geometry), m_writer(new ReportWriter(this)) {
+ReportPanel::ReportPanel(SharedModel model, QWidget* parent)
+    : QWidget(parent), m_model(std::move(model)), m_writer(new ReportWriter(this)) {
     connect(m_writer, &ReportWriter::written, this, &ReportPanel::showWritten);
     connect(m_writer, &ReportWriter::failed, this, &ReportPanel::showWriteFailure);
     build();
@@ -131,7 +131,7 @@ void ReportPanel::advance(const std::optional<Pose>& next) {
 
 void ReportPanel::runReport() {
     try {
-        runList(m_listFile.isEmpty() ? defaultPoses(m_geometry, kPoses, kSeed)
+        runList(m_listFile.isEmpty() ? defaultPoses(m_model->geometry(), kPoses, kSeed)
                                      : readPoseList(m_listFile.toStdString()));
     } catch (const InputError& error) {
         m_progress->showText(inputFaultText(error));
@@ -170,7 +170,7 @@ void ReportPanel::clearSamples() {
 }
 
 void ReportPanel::rebuildReport() {
-    m_report = m_solver ? makeErrorReport(m_geometry, *m_solver, m_samples) : ErrorReport{};
+    m_report = m_solver ? makeErrorReport(m_model->geometry(), *m_solver, m_samples) : ErrorReport{};
     m_preview->setReport(m_report);
     fillSampleTable(*m_table, m_report);
     m_clear->setEnabled(!m_samples.empty());

@@ -19,7 +19,7 @@ namespace {
 constexpr int kQDecimals = 3;
 } // namespace
 
-PosePanel::PosePanel(const PlatformGeometry& geometry, QWidget* parent) : Card(parent), m_geometry(geometry) {
+PosePanel::PosePanel(SharedModel model, QWidget* parent) : Card(parent), m_model(std::move(model)) {
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(10);
     grid->setVerticalSpacing(3);
@@ -68,7 +68,7 @@ void PosePanel::addSingularity() {
 void PosePanel::showSnapshot(const Snapshot& snapshot) {
     const std::optional<Pose>& at = snapshot.measuredPose;
     const auto rounding =
-        at ? std::optional(roundingEffect(m_geometry, *at, kLengthResolution)) : std::nullopt;
+        at ? std::optional(roundingEffect(m_model->geometry(), *at, kLengthResolution)) : std::nullopt;
     for (int i = 0; i < 6; ++i) {
         const Row& row = m_rows[static_cast<std::size_t>(i)];
         const int decimals = coordinateTexts()[static_cast<std::size_t>(i)].angle ? 4 : 3;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/geometry/platform_geometry.h"
+#include "core/kinematics/platform_model.h"
 #include "core/record/snapshot.h"
 #include "ui/common/card.h"
 
@@ -20,7 +20,7 @@ class SingularityBar;
 class PosePanel final : public Card {
     Q_OBJECT
 public:
-    explicit PosePanel(const PlatformGeometry& geometry, QWidget* parent = nullptr);
+    explicit PosePanel(SharedModel model, QWidget* parent = nullptr);
     void showSnapshot(const Snapshot& snapshot);
 
 protected:
@@ -37,7 +37,7 @@ private:
     void addSingularity();
     void retranslate();
 
-    PlatformGeometry m_geometry;
+    SharedModel m_model;
     std::array<Row, 6> m_rows{};
     std::array<QLabel*, 4> m_heads{};
     QLabel* m_qLabel = nullptr;

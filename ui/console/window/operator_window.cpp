@@ -39,15 +39,15 @@ double seconds(std::chrono::nanoseconds time) {
 
 } // namespace
 
-OperatorWindow::OperatorWindow(const PlatformGeometry& geometry, PortList ports, QWidget* parent)
-    : QMainWindow(parent), m_geometry(geometry), m_connection(new ConnectionPanel(std::move(ports), this)),
-      m_banner(new Banner(this)), m_motion(new MotionPanel(geometry, this)), m_events(new EventList(this)),
-      m_charts(new ChartPage(geometry, this)), m_legs(new LegsPanel(geometry, this)),
-      m_pose(new PosePanel(geometry, this)), m_report(new ReportPanel(geometry, this)),
+OperatorWindow::OperatorWindow(const SharedModel& model, PortList ports, QWidget* parent)
+    : QMainWindow(parent), m_connection(new ConnectionPanel(std::move(ports), this)),
+      m_banner(new Banner(this)), m_motion(new MotionPanel(model, this)), m_events(new EventList(this)),
+      m_charts(new ChartPage(model, this)), m_legs(new LegsPanel(model, this)),
+      m_pose(new PosePanel(model, this)), m_report(new ReportPanel(model, this)),
       m_status(new StatusPanel(this)) {
     build();
     wire();
-    m_status->setPlatform(QString::fromStdString(geometry.name));
+    m_status->setPlatform(QString::fromStdString(model->geometry().name));
     retranslate();
     m_tick.setInterval(kTickMs);
     qApp->installEventFilter(this);
