@@ -20,6 +20,9 @@ int simulateCommand(const QStringList& arguments);
 int runCommand(const QStringList& arguments);
 int reportCommand(const QStringList& arguments);
 int experimentCommand(const QStringList& arguments);
+int summaryCommand(const QStringList& arguments);
+int verifyCommand(const QStringList& arguments);
+int compareCommand(const QStringList& arguments);
 int trackCommand(const QStringList& arguments);
 int reproduceCommand(const QStringList& arguments);
 

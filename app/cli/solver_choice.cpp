@@ -64,25 +64,27 @@ void refuseOption(const Arguments& arguments, const char* option, const std::str
         throw InputError(std::string("--") + option, cause);
 }
 
-ChosenSolver finiteStepSolver(const Arguments& arguments, const PlatformGeometry& platform) {
+ChosenSolver finiteStepSolver(const Arguments& arguments, const PlatformGeometry& platform,
+                              double tolerance) {
     refuseOption(arguments, "model", "method fsi uses no model");
     refuseOption(arguments, "max-iterations", "method fsi does not iterate, it takes --steps");
     FiniteStepOptions options;
-    options.tolerance = metresFromMm(arguments.positive("tolerance-mm", 0.0));
+    options.tolerance = tolerance;
     options.steps = static_cast<int>(arguments.integer("steps", options.steps, 1, kMostSteps));
     options.form = stepForm(arguments, options.form);
     return {std::make_unique<FiniteStepSolver>(platform, options), {}};
 }
 
-ChosenSolver choose(const Arguments& arguments, const PlatformGeometry& platform, bool modelPossible) {
+ChosenSolver choose(const Arguments& arguments, const PlatformGeometry& platform, bool modelPossible,
+                    double tolerance) {
     const std::string word = arguments.text("method", "mpr3-nr");
     if (word == kFiniteSteps)
-        return finiteStepSolver(arguments, platform);
+        return finiteStepSolver(arguments, platform, tolerance);
     const ForwardMethod& method = chooseMethod(word);
     for (const char* option : {"steps", "form"})
         refuseOption(arguments, option, "method " + word + " takes no steps");
     NewtonOptions options;
-    options.tolerance = metresFromMm(arguments.positive("tolerance-mm", 0.0));
+    options.tolerance = tolerance;
     options.maxIterations =
         static_cast<int>(arguments.integer("max-iterations", options.maxIterations, 1, 1000000));
     if (method.modelDegree == 0) {
@@ -127,8 +129,10 @@ std::vector<OptionSpec> withSolverOptions(std::vector<OptionSpec> own) {
 }
 
 ChosenSolver chooseSolver(const Arguments& arguments, const PlatformGeometry& platform,
-                          SingularHome singularHome) {
-    return choose(arguments, platform, singularHome == SingularHome::Refused || hasModel(platform));
+                          SingularHome singularHome, SolverTolerance tolerance) {
+    return choose(arguments, platform, singularHome == SingularHome::Refused || hasModel(platform),
+                  tolerance == SolverTolerance::Option ? metresFromMm(arguments.positive("tolerance-mm", 0.0))
+                                                       : 0.0);
 }
 
 ChosenSolver makeDefaultSolver(const ForwardMethod& method, const PlatformGeometry& platform) {

@@ -32,8 +32,11 @@ std::vector<OptionSpec> withSolverOptions(std::vector<OptionSpec> own);
 /// A platform that is singular at home, or too close to it for a model, is refused, or gets Newton, which
 /// reports in each row what it can say.
 enum class SingularHome { Refused, Allowed };
+/// Whether --tolerance-mm is the solver's, or the command's own.
+enum class SolverTolerance { Option, Default };
 ChosenSolver chooseSolver(const Arguments& arguments, const PlatformGeometry& platform,
-                          SingularHome singularHome = SingularHome::Refused);
+                          SingularHome singularHome = SingularHome::Refused,
+                          SolverTolerance tolerance = SolverTolerance::Option);
 
 /// The solver of a method with its default options and the platform's own model.
 ChosenSolver makeDefaultSolver(const ForwardMethod& method, const PlatformGeometry& platform);

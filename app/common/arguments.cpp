@@ -45,8 +45,10 @@ Arguments::Arguments(const Usage& usage, const QStringList& words) : m_subject(u
     for (const OptionSpec& spec : usage.options)
         m_parser.addOption(QCommandLineOption(QString::fromLatin1(spec.name), QString::fromUtf8(spec.help),
                                               QString::fromLatin1(spec.value)));
-    m_parser.addOption(QCommandLineOption(
-        QStringLiteral("platform"), QString::fromStdString(usage.platformHelp), QStringLiteral("NAME|FILE")));
+    if (!usage.platformHelp.empty())
+        m_parser.addOption(QCommandLineOption(QStringLiteral("platform"),
+                                              QString::fromStdString(usage.platformHelp),
+                                              QStringLiteral("NAME|FILE")));
     m_parser.addOption(
         QCommandLineOption({QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("Show this help.")));
     const bool parsed = m_parser.parse(QStringList{QString::fromStdString(usage.call)} + words);
@@ -119,6 +121,16 @@ double Arguments::positive(const char* option, double fallback) const {
     const std::optional<double> number = parseNumber(value);
     if (!number || !std::isfinite(*number) || *number <= 0.0)
         throw InputError(dashed(option), "'" + value + "' is not a number above 0");
+    return *number;
+}
+
+double Arguments::number(const char* option, double fallback) const {
+    if (!has(option))
+        return fallback;
+    const std::string value = text(option, "");
+    const std::optional<double> number = parseNumber(value);
+    if (!number || !std::isfinite(*number))
+        throw InputError(dashed(option), "'" + value + "' is not a number");
     return *number;
 }
 

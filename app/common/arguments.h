@@ -24,14 +24,15 @@ struct OptionSpec {
     const char* help;
 };
 
-/// What a program takes, or a command of one. --platform and --help are always taken.
+/// What a program takes, or a command of one. --help is always taken, --platform where `platformHelp` says
+/// for what.
 struct Usage {
     std::string call;     ///< "hexapose", "hexapose-cli inverse"
     QStringList operands; ///< names of the positional arguments, all of them required
     std::vector<OptionSpec> options;
     std::string about = {};  ///< above the list of the options
     std::string remark = {}; ///< below it
-    std::string platformHelp = "Platform name or file (default: laboratory).";
+    std::string platformHelp = "Platform name or file (default: laboratory)."; ///< empty: no --platform
 
     /// What a complaint about the call as a whole begins with: "inverse".
     std::string subject() const { return call.substr(call.rfind(' ') + 1); }
@@ -56,6 +57,8 @@ public:
     std::string choice(const char* option, const std::vector<std::string>& known, const char* fallback) const;
     /// A finite number above zero.
     double positive(const char* option, double fallback) const;
+    /// Any finite number.
+    double number(const char* option, double fallback) const;
     double requiredPositive(const char* option) const;
     std::int64_t integer(const char* option, std::int64_t fallback, std::int64_t least,
                          std::int64_t most) const;

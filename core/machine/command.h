@@ -34,7 +34,8 @@ struct SweepCommand {
     MotionId id = kNoMotion;
 };
 /// A jog button is held: repeated at least every 150 ms, or the jog comes to rest. All repeats of one press
-/// carry its id: a press whose jog has ended starts no other.
+/// carry its id: a press that was released, that was not repeated in time, or whose jog has ended otherwise
+/// starts nothing more. Without an id a repeat after the end is a new press.
 struct JogCommand {
     JogDirection direction;
     double speedOverride = 1.0; ///< 0..1 of full speed

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/device/platform_device.h"
 #include "core/kinematics/forward_solver.h"
 #include "core/kinematics/platform_model.h"
 #include "core/machine/command.h"
@@ -16,6 +15,8 @@
 #include <memory>
 
 namespace hexapose {
+
+class PlatformDevice;
 
 /// The control loop. One cycle is: read -> estimate -> supervise (the controller's notices, the operator's
 /// commands, the watch) -> generate -> write -> publish a Snapshot. So a stop leaves in the cycle in which

@@ -68,8 +68,8 @@ MotionCheck checkStart(const PlannedMotion& planned, const PlanStart& now, const
                        double distance, double angle);
 
 /// Plans and checks the motions of one machine under the limits in force: those of the platform and of the
-/// operator, narrowed by the controller's. Who asks beforehand (a screen, a command line) is answered as the
-/// loop will answer.
+/// operator, narrowed by the controller's. A screen or a command line that asks beforehand gets the answer
+/// that the loop will give.
 class MotionPlanner {
 public:
     struct Settings {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "core/base/thread_priority.h"
-#include "core/device/platform_device.h"
 #include "core/kinematics/forward_solver.h"
 #include "core/kinematics/platform_model.h"
 #include "core/machine/command.h"
@@ -18,6 +17,8 @@
 #include <string>
 
 namespace hexapose {
+
+class PlatformDevice;
 
 /// What a session works with; fixed while it is open, except for the solver.
 struct SessionSetup {
@@ -72,7 +73,7 @@ public:
     /// Of the present or last connection; empty before the first.
     std::filesystem::path logFile() const;
     /// Why the log of the present or last connection is not complete.
-    std::optional<std::string> logFailure() const;
+    std::optional<LogFailure> logFailure() const;
 
 private:
     struct Impl;

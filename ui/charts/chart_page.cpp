@@ -279,7 +279,7 @@ void ChartPage::retranslate() {
     QString legend = measured.arg(m_colors.accent.name(), tr("measured"));
     if (m_subject != Subject::Errors) {
         legend += QStringLiteral(" &nbsp; <span style='color:%1'>- - -</span> %2")
-                      .arg(m_colors.muted.name(), tr("target"));
+                      .arg(m_colors.muted.name(), m_subject == Subject::Legs ? tr("set-point") : tr("path"));
     }
     m_legend->setText(legend);
     applySubject();

@@ -7,6 +7,7 @@
 #include "core/kinematics/inverse_kinematics.h"
 #include "test_machines.h"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <Eigen/QR>
 #include <gtest/gtest.h>

@@ -82,6 +82,41 @@ TEST_F(ControlLoopMotion, AMeasuredPoseNearASingularOneStopsTheMotion) {
     EXPECT_EQ(m_last.state, RunState::Stopped);
     EXPECT_EQ(detailOf(EventCode::StoppedOnLimits), "near singular") << formatEvents(m_events);
     EXPECT_GT(turned.angles.gamma, radiansFromDeg(60));
+    const auto limit = std::find_if(m_events.begin(), m_events.end(),
+                                    [](const Event& e) { return e.code == EventCode::StoppedOnLimits; });
+    ASSERT_NE(limit, m_events.end());
+    EXPECT_LT(limit->get<MotionCheck>()->value, limit->get<MotionCheck>()->bound);
+    EXPECT_GT(*m_last.determinantRatio, 0.0);
+}
+
+/// Takes every length for those of one pose, as a solver that does not look at the side may.
+class OnePose final : public ForwardSolver {
+public:
+    ForwardResult solve(const LegLengths&, const Pose&) const noexcept override {
+        return {pose, SolveStatus::Converged, 1, 0.0};
+    }
+    std::string_view name() const noexcept override { return "one-pose"; }
+    Pose pose;
+};
+
+TEST_F(ControlLoopMotion, AMeasuredPoseBeyondTheSingularOnesStopsTheMotionAndIsReportedAsThat) {
+    OnePose solver;
+    m_loop = std::make_unique<ControlLoop>(
+        m_device, m_geometry, solver, ControlOptions{}, [this](const Snapshot& s) { take(s); },
+        m_device.clock(), std::make_unique<ImmediatePlanner>(m_geometry));
+    startMoving();
+    solver.pose.angles.gamma = radiansFromDeg(140.0);
+    cycles(1);
+    ASSERT_LT(*m_last.determinantRatio, 0.0);
+    ASSERT_GT(*m_last.smallestSingularValue, motionLimits(m_geometry, {}, {}).singularityMargin)
+        << "far from singular again";
+    EXPECT_EQ(m_last.state, RunState::Stopped);
+    EXPECT_EQ(detailOf(EventCode::StoppedOnLimits), "across the singular poses") << formatEvents(m_events);
+    const auto limit = std::find_if(m_events.begin(), m_events.end(),
+                                    [](const Event& e) { return e.code == EventCode::StoppedOnLimits; });
+    ASSERT_NE(limit, m_events.end());
+    EXPECT_DOUBLE_EQ(limit->get<MotionCheck>()->value, *m_last.determinantRatio);
+    EXPECT_EQ(limit->get<MotionCheck>()->bound, 0.0);
 }
 
 TEST_F(ControlLoopMotion, ARefusalThatRepeatsIsReportedOnceASecond) {

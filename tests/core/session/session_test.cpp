@@ -23,9 +23,15 @@
 #include <functional>
 #include <stdexcept>
 #include <thread>
+#include <type_traits>
 
 namespace hexapose {
 namespace {
+
+struct UnnamedConnection {};
+static_assert(std::is_invocable_v<const ConnectionName&, SerialConnection>);
+static_assert(!std::is_invocable_v<const ConnectionName&, UnnamedConnection>,
+              "a kind of connection without a name in the log must not compile");
 
 using namespace std::chrono_literals;
 namespace fs = std::filesystem;

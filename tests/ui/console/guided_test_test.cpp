@@ -12,6 +12,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 namespace hexapose {
 namespace {
 
@@ -107,8 +109,10 @@ TEST_F(GuidedTestTest, ARefusalLeavesTheLastResult) {
     const MotionId before = lastId;
     feed(published, RunState::Enabled);
     EXPECT_NE(lastId, before);
-    lastId = before; // the loop has not taken it
-    feed(published, RunState::Moving, {eventFrom("command-refused run in moving")});
+    const MotionId refused = std::exchange(lastId, before); // the loop has not taken it
+    feed(
+        published, RunState::Moving,
+        {{EventCode::CommandRefused, CommandRefusal{Command::Run, RunState::Moving, CommandSet{}, refused}}});
     EXPECT_FALSE(panel.isRunning());
     EXPECT_EQ(spoken("Test measured z"), "40.000");
 }

@@ -18,10 +18,12 @@
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
+#include <QFileDialog>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QPointer>
 #include <QPushButton>
 #include <QSlider>
 #include <QTableView>
@@ -215,6 +217,30 @@ TEST_F(OperatorWindowTest, EscStopsAtTheFirstPressWhileAPopupIsOpen) {
     QTest::keyClick(menu->windowHandle(), Qt::Key_Escape);
     EXPECT_GE(stops, 1);
     EXPECT_FALSE(menu->isVisible());
+}
+
+/// Also the dialogs of the report page, which have a folder or a list chosen while something moves.
+TEST_F(OperatorWindowTest, FileDialogsLeaveStopAndEscWithinReach) {
+    int stops = 0;
+    QObject::connect(&window.motionPanel(), &MotionPanel::stopRequested, &window, [&stops] { ++stops; });
+    window.motionPanel().wayPoints().table().setPoses({Pose{}}); // something to save
+    for (const char* name : {"From CSV...", "Choose report folder", "Load way-points", "Save way-points"}) {
+        SCOPED_TRACE(name);
+        button(name)->click();
+        button(name)->click(); // it is open already
+        const auto dialogs = window.findChildren<QFileDialog*>();
+        ASSERT_EQ(dialogs.size(), 1);
+        const QPointer<QFileDialog> dialog = dialogs.first();
+        EXPECT_TRUE(dialog->isVisible());
+        EXPECT_FALSE(dialog->isModal());
+        EXPECT_TRUE(dialog->testOption(QFileDialog::DontUseNativeDialog)) << "it would keep Esc for itself";
+        stops = 0;
+        button("Stop")->click();
+        EXPECT_EQ(stops, 1);
+        QTest::keyClick(dialog->windowHandle(), Qt::Key_Escape);
+        EXPECT_GE(stops, 2);
+        delete dialog.data(); // which Esc may have closed already
+    }
 }
 
 TEST_F(OperatorWindowTest, SilentLoopIsShownAsOldData) {

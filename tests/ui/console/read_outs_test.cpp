@@ -9,6 +9,8 @@
 #include "ui/console/status/settle_line.h"
 #include "ui/console/status/status_panel.h"
 
+#include <QLabel>
+
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -26,7 +28,7 @@ bool stale(QWidget& root, const char* name) {
     return readOut != nullptr && readOut->isStale();
 }
 
-TEST(PosePanel, ShowsTargetMeasuredAndErrorInMmAndDegrees) {
+TEST(PosePanel, ShowsPathMeasuredAndErrorInMmAndDegrees) {
     const PlatformGeometry geometry = laboratoryPlatform();
     PosePanel panel(makeModel(geometry));
     panel.showSnapshot(snapshotAt(geometry, poseOf(12.003, -4, 40, 0, 0.25, 5.01),
@@ -39,6 +41,12 @@ TEST(PosePanel, ShowsTargetMeasuredAndErrorInMmAndDegrees) {
     EXPECT_EQ(spoken(panel, "Error z"), "0.000");
     EXPECT_GT(spoken(panel, "Expected error x").toDouble(), 0.0);
     EXPECT_FALSE(stale(panel, "Measured x"));
+    QStringList heads;
+    for (const auto* label : panel.findChildren<QLabel*>()) {
+        heads << label->text();
+    }
+    EXPECT_TRUE(heads.contains(QStringLiteral("path")));
+    EXPECT_FALSE(heads.contains(QStringLiteral("target"))) << "that is what the motion ends at";
 }
 
 TEST(PosePanel, NeverShowsAPoseWithoutAUsableSolution) {

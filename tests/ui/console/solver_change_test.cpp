@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Another solver for a running loop: between two cycles, while nothing moves, and told.
 #include "core/finite_step/finite_step_solver.h"
+#include "core/record/event_codec.h"
 #include "tests/ui/console/synthetic_machine.h"
 #include "tests/ui/screen_reader.h"
 #include "ui/console/events/event_list.h"

@@ -9,6 +9,8 @@
 #include "ui/console/motion/named_poses.h"
 #include "ui/console/motion/target_panel.h"
 
+#include <QAbstractItemView>
+#include <QApplication>
 #include <QComboBox>
 #include <QLineEdit>
 #include <QPushButton>
@@ -218,6 +220,45 @@ TEST_F(TargetPanelTest, PosesAreKeptChosenReplacedAndRemovedByTheirNames) {
     EXPECT_EQ(runs.count(), 0);
 }
 
+TEST_F(TargetPanelTest, ANameThatIsTypedLoadsNothing) {
+    panel.namedPoses().setPoses({{QStringLiteral("park"), poseOf(0, 0, 30, 0, 0, 0)}});
+    panel.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&panel));
+    live(Pose{});
+    auto* box = panel.namedPoses().findChild<QComboBox*>();
+    ASSERT_NE(box, nullptr);
+    const auto typeName = [&] {
+        QTest::mouseClick(box->lineEdit(), Qt::LeftButton);
+        ASSERT_EQ(QApplication::focusWidget(), box);
+        box->lineEdit()->selectAll();
+        QTest::keyClicks(box, QStringLiteral("park"));
+    };
+    std::optional<Pose> asked;
+    QObject::connect(&panel, &TargetPanel::runRequested, [&](const Pose& pose) { asked = pose; });
+    type("Target z", "5");
+    typeName();
+    button("Run")->setFocus(Qt::MouseFocusReason); // as a click does
+    QTest::mouseClick(button("Run"), Qt::LeftButton);
+    ASSERT_TRUE(asked);
+    EXPECT_NEAR(asked->offset[2], 0.005, 1e-12);
+
+    typeName();
+    QTest::keyClick(box, Qt::Key_Return);
+    EXPECT_NEAR(panel.target()->offset[2], 0.005, 1e-12);
+    button("Save pose")->setFocus(Qt::MouseFocusReason);
+    QTest::mouseClick(button("Save pose"), Qt::LeftButton);
+    EXPECT_NEAR(panel.namedPoses().poses()[0].pose.offset[2], 0.005, 1e-12)
+        << "the pose replaces the old one";
+
+    panel.setTarget(Pose{});
+    box->setFocus();
+    QTest::keyClick(box, Qt::Key_Down);
+    EXPECT_TRUE(panel.target()->toVector().isZero()) << "it is the last one already";
+    box->showPopup();
+    QTest::keyClick(box->view(), Qt::Key_Return);
+    EXPECT_NEAR(panel.target()->offset[2], 0.005, 1e-12) << "chosen from the list";
+}
+
 TEST_F(TargetPanelTest, TheLampJudgesTheWayOfTheMode) {
     // The legs' own way keeps every stroke; on the straight one a leg would be too short in the middle.
     live(poseOf(-60, 60, -35, 0, 0, -21.5));
@@ -367,7 +408,7 @@ TEST(MotionCheckText, NamesLegLimitAndExcess) {
         << motionCheckText(outside).toStdString();
     const MotionCheck fast{MotionCheck::Reason::LegSpeed, 4, 0.09, 0.08, 0.12};
     EXPECT_EQ(motionCheckText(fast),
-              "Leg 4 would move at 90.0 mm/s, faster than its 80.0 mm/s, at 12 % of the path");
+              "Leg 4 would move at 90.0 mm/s, above its limit of 80.0 mm/s, at 12 % of the path");
     const MotionCheck aboveOnTheWay{MotionCheck::Reason::LegAboveMax, 3, 0.3612, 0.350, 0.3};
     EXPECT_EQ(motionCheckText(*motionCheckFromWords(toWords(aboveOnTheWay))),
               "Leg 3 would be above its maximum, at 30 % of the path");

@@ -93,7 +93,7 @@ void GuidedTestPanel::begin(const SharedPlan& plan) {
     }
     m_plan = plan;
     m_test.emplace(m_planner.sharedModel(), m_solver, plan->endPose(), m_ids.take());
-    tell([] { return tr("The test is under way; Stop ends it"); });
+    setMessage([] { return tr("The test is under way; Stop ends it"); });
     showSteps();
     updateButton();
 }
@@ -139,13 +139,13 @@ void GuidedTestPanel::end(const Text& text) {
     m_planning.cancel();
     m_plan.reset();
     m_ended = true;
-    tell(text);
+    setMessage(text);
     showSteps();
     showResult();
     updateButton();
 }
 
-void GuidedTestPanel::tell(const Text& text) {
+void GuidedTestPanel::setMessage(const Text& text) {
     m_text = text;
     m_message->showText(text());
 }

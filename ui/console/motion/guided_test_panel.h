@@ -70,7 +70,7 @@ private:
     void plan();
     void begin(const SharedPlan& plan);
     void end(const Text& text);
-    void tell(const Text& text);
+    void setMessage(const Text& text);
     void showSteps();
     void showResult();
     void updateButton();

@@ -71,8 +71,8 @@ void MotionPanel::wire() {
         m_wayPoints->setMode(mode());
         m_test->setMode(mode());
     });
-    connect(m_speed, &SpeedControl::partRequested, this,
-            [this](double part) { emit commandRequested(SpeedCommand{part}); });
+    connect(m_speed, &SpeedControl::overrideRequested, this,
+            [this](double speedOverride) { emit commandRequested(SpeedCommand{speedOverride}); });
     connect(m_stop, &QPushButton::clicked, this, &MotionPanel::stop);
     auto* stopKey = new QShortcut(QKeySequence(Qt::Key_Escape), this);
     stopKey->setContext(Qt::ApplicationShortcut);
@@ -126,7 +126,7 @@ void MotionPanel::setSolver(std::shared_ptr<const ForwardSolver> solver) {
 }
 
 void MotionPanel::sessionOpened() {
-    m_speed->say();
+    m_speed->sendOverride();
 }
 
 void MotionPanel::setConnected(bool connected) {
@@ -161,8 +161,8 @@ void MotionPanel::retranslate() {
     m_mode->setItemText(0, tr("Joint"));
     m_mode->setItemText(kWorkspaceIndex, tr("Workspace"));
     m_mode->setToolTip(
-        tr("Joint: each leg on a straight path in its length. Workspace: the platform on a straight "
-           "path, the loop closed on its measured pose. Changing it moves nothing."));
+        tr("Joint: each leg changes its length steadily. Workspace: the platform moves in a straight "
+           "line, corrected by its measured pose. Changing it moves nothing."));
     m_tabs->setAccessibleName(tr("Motion pages"));
     m_tabs->setTabText(Target, tr("Target"));
     m_tabs->setTabText(Jog, tr("Jog"));

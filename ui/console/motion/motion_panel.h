@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/kinematics/forward_solver.h"
 #include "core/machine/command.h"
 #include "core/machine/control_options.h"
+#include "core/record/snapshot.h"
 #include "ui/common/card.h"
 
 #include <memory>

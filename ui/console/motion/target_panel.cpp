@@ -47,7 +47,7 @@ TargetPanel::TargetPanel(const SharedModel& model, QWidget* parent)
     build();
     m_patience.setSingleShot(true);
     m_patience.setInterval(kPatienceMs);
-    connect(&m_patience, &QTimer::timeout, this, &TargetPanel::showVerdict);
+    connect(&m_patience, &QTimer::timeout, this, &TargetPanel::showValidity);
     setTarget(Pose{});
     setConnected(false);
     retranslate();
@@ -150,7 +150,7 @@ void TargetPanel::setMode(MotionMode mode) {
 void TargetPanel::setConnected(bool connected) {
     m_connected = connected;
     updateRun();
-    showVerdict();
+    showValidity();
 }
 
 void TargetPanel::updateRun() {
@@ -203,7 +203,7 @@ void TargetPanel::showSnapshot(const Snapshot& snapshot) {
     if (const QString hindrance = runInhibit(snapshot); hindrance != m_hindrance) {
         m_hindrance = hindrance;
         updateRun();
-        showVerdict();
+        showValidity();
     }
     const bool had = m_start.has_value();
     m_start = planStart(snapshot);
@@ -281,7 +281,7 @@ void TargetPanel::checkTarget() {
     }
     emit targetEdited();
     updateRun();
-    showVerdict();
+    showValidity();
     showRanges();
 }
 
@@ -303,7 +303,7 @@ void TargetPanel::plan(const StraightMove& move) {
             m_check = m_plan->check;
             m_waiting = false;
             updateRun();
-            showVerdict();
+            showValidity();
         });
 }
 
@@ -321,7 +321,7 @@ void TargetPanel::showRanges() {
     }
 }
 
-void TargetPanel::showVerdict() {
+void TargetPanel::showValidity() {
     if (const QString refused = refusedField(); !refused.isEmpty()) {
         setTone(*m_lamp, Tone::Bad);
         m_validity->showText(refused);
@@ -361,7 +361,7 @@ void TargetPanel::retranslate() {
     label(*m_reset, tr("Reset"), tr("Put the home pose into the fields; nothing moves"));
     label(*m_copy, tr("Copy measured"), tr("Put the measured pose into the fields; nothing moves"));
     updateRun();
-    showVerdict();
+    showValidity();
     showRanges();
 }
 

@@ -69,7 +69,7 @@ private:
     bool isPlanned() const;
     bool hasMoved() const;
     void showRanges();
-    void showVerdict();
+    void showValidity();
     void updateRun();
     QString refusedField() const;
     QString runReason() const;

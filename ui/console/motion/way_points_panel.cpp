@@ -6,6 +6,7 @@
 #include "core/record/pose_list.h"
 #include "ui/common/read_out.h"
 #include "ui/common/status_text.h"
+#include "ui/console/events/input_fault_text.h"
 #include "ui/console/events/motion_check_text.h"
 #include "ui/console/events/sequence_end_text.h"
 #include "ui/console/motion/plan_start.h"
@@ -36,7 +37,7 @@ WayPointsPanel::WayPointsPanel(const SharedModel& model, QWidget* parent)
     m_patience.setSingleShot(true);
     m_patience.setInterval(kPatienceMs);
     connect(&m_patience, &QTimer::timeout, this,
-            [this] { tell([] { return tr("Checking the list; Stop ends it"); }); });
+            [this] { setMessage([] { return tr("Checking the list; Stop ends it"); }); });
     m_text = [] { return tr("Add poses, or load them; nothing moves until Play or Step"); };
     retranslate();
     updateButtons();
@@ -148,7 +149,7 @@ void WayPointsPanel::begin(std::vector<SharedPlan> plans) {
     m_plans.resize(std::min(m_plans.size(), kKeptPlans));
     m_sequence.emplace(std::move(m_poses), kNoDwell, firstId);
     const QString all = QString::number(m_table->rowCount());
-    tell([this, all] { return tr("To way-point %1 of %2").arg(QString::number(visited() + 1), all); });
+    setMessage([this, all] { return tr("To way-point %1 of %2").arg(QString::number(visited() + 1), all); });
     m_table->mark(m_first);
     updateButtons();
 }
@@ -204,7 +205,7 @@ void WayPointsPanel::end(const Text& text) {
     m_due.reset();
     m_paused = false; // what the loop holds it goes on to hold
     m_table->mark(-1);
-    tell(text);
+    setMessage(text);
     updateButtons();
 }
 
@@ -239,7 +240,7 @@ void WayPointsPanel::requestDue() {
     }
 }
 
-void WayPointsPanel::tell(const Text& text) {
+void WayPointsPanel::setMessage(const Text& text) {
     m_text = text;
     showMessage();
 }
@@ -254,10 +255,9 @@ void WayPointsPanel::load(const QString& file) {
         m_next = 0;
         const QString name = QFileInfo(file).fileName();
         const auto count = poses.size();
-        tell([=] { return tr("%1 way-points from %2").arg(QString::number(count), name); });
+        setMessage([=] { return tr("%1 way-points from %2").arg(QString::number(count), name); });
     } catch (const InputError& error) {
-        const QString reason = QString::fromUtf8(error.what());
-        tell([reason] { return tr("The list cannot be used: %1").arg(reason); });
+        setMessage([error] { return tr("The list cannot be used: %1").arg(inputFaultText(error)); });
     }
 }
 
@@ -272,7 +272,7 @@ void WayPointsPanel::save(const QString& file) {
         poses.push_back(m_table->poseAt(row).value_or(Pose{}));
     }
     const QString fault = saveWayPoints(file, poses);
-    tell([=] {
+    setMessage([=] {
         return fault.isEmpty() ? tr("Saved as %1").arg(file) : tr("The list cannot be saved: %1").arg(fault);
     });
 }

@@ -79,7 +79,7 @@ private:
     void requestDue();
     void end(const Text& text);
     int visited() const; ///< row, from 0
-    void tell(const Text& text);
+    void setMessage(const Text& text);
     void showMessage();
     void followTable();
     void chooseFile(bool toSave);

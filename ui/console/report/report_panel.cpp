@@ -4,8 +4,10 @@
 
 #include "core/base/input_error.h"
 #include "core/record/pose_list.h"
+#include "ui/common/file_dialog.h"
 #include "ui/common/read_out.h"
 #include "ui/common/status_text.h"
+#include "ui/console/events/input_fault_text.h"
 #include "ui/console/events/sequence_end_text.h"
 #include "ui/console/report/report_preview.h"
 #include "ui/console/report/report_writer.h"
@@ -14,7 +16,6 @@
 #include <QComboBox>
 #include <QDir>
 #include <QEvent>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -133,10 +134,9 @@ void ReportPanel::runReport() {
         runList(m_listFile.isEmpty() ? defaultPoses(m_model->geometry(), kPoses, kSeed)
                                      : readPoseList(m_listFile.toStdString()));
     } catch (const InputError& error) {
-        const QString reason = QString::fromUtf8(error.what());
-        m_progress->showText(reason);
-        emit noted([reason] {
-            return EventText{tr("The list of poses cannot be used: %1").arg(reason),
+        m_progress->showText(inputFaultText(error));
+        emit noted([error] {
+            return EventText{tr("The list of poses cannot be used: %1").arg(inputFaultText(error)),
                              tr("Correct the file, or choose another."), Tone::Warn};
         });
     }
@@ -178,7 +178,7 @@ void ReportPanel::rebuildReport() {
 
 void ReportPanel::exportReport() {
     if (m_samples.empty()) {
-        // A pose that has stood for half of its time is good enough for who asks now.
+        // For an export that is asked for now, half of the time at rest is enough.
         SettledSampler ended = m_sampler;
         if (const auto sample = ended.finish()) {
             m_sampler = SettledSampler();
@@ -224,15 +224,11 @@ void ReportPanel::showFiles(const QString& text) {
 }
 
 void ReportPanel::chooseList() {
-    auto* dialog = new QFileDialog(this, tr("List of poses"), QString(), tr("Poses (*.csv);;All files (*)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
+    askForFile(*this, {tr("List of poses"), tr("Poses (*.csv);;All files (*)")}, [this](const QString& file) {
         m_listFile = file;
         retranslate();
         m_list->setCurrentIndex(1);
     });
-    dialog->open();
 }
 
 void ReportPanel::showProgress() {

@@ -15,7 +15,7 @@ namespace hexapose {
 class ReadOut;
 class SingularityBar;
 
-/// The pose: the target on the path, the measured one, the error, and the error that the resolution of the
+/// The pose: that of the path, the measured one, the error, and the error that the resolution of the
 /// lengths alone explains; below it how far from singular it is. Nothing is shown without a usable solution.
 class PosePanel final : public Card {
     Q_OBJECT
@@ -28,7 +28,7 @@ protected:
 
 private:
     struct Row {
-        ReadOut* target;
+        ReadOut* path;
         ReadOut* measured;
         ReadOut* error;
         ReadOut* expected;

@@ -6,6 +6,7 @@
 #include "ui/charts/chart_page.h"
 #include "ui/common/wheel_guard.h"
 #include "ui/console/events/event_list.h"
+#include "ui/console/events/input_fault_text.h"
 #include "ui/console/motion/motion_panel.h"
 #include "ui/console/motion/target_panel.h"
 #include "ui/console/report/report_panel.h"
@@ -34,10 +35,6 @@ constexpr int kSilenceMs = 500; // a loop that gives nothing for so long has sta
 
 double seconds(std::chrono::nanoseconds time) {
     return std::chrono::duration<double>(time).count();
-}
-
-bool drivesAreOn(RunState state) {
-    return state == RunState::Enabled || state == RunState::Moving || state == RunState::Settling;
 }
 
 } // namespace
@@ -140,11 +137,11 @@ void OperatorWindow::connectTo(const ConnectionSpec& connection) {
         m_session->open(connection);
         sessionOpened();
     } catch (const InputError& error) {
-        const QString reason = QString::fromUtf8(error.what());
         m_events->addNote(
-            [reason] {
-                return EventText{tr("The log cannot be created, so nothing was connected: %1").arg(reason),
-                                 tr("Free space or choose another folder with --log-dir."), Tone::Bad};
+            [error] {
+                return EventText{
+                    tr("The log cannot be created, so nothing was connected: %1").arg(inputFaultText(error)),
+                    tr("Free space or choose another folder with --log-dir."), Tone::Bad};
             },
             std::chrono::system_clock::now());
     }
@@ -184,8 +181,7 @@ void OperatorWindow::tick() {
     if (!m_session || !m_session->isOpen()) {
         return;
     }
-    const auto failure = m_session->logFailure();
-    m_banner->showLogFailure(failure ? QString::fromStdString(*failure) : QString());
+    m_banner->showLogFailure(m_session->logFailure());
     showSnapshots(m_reader.take());
     followSolver();
 }
