@@ -33,6 +33,7 @@ struct Usage {
     std::string about = {};  ///< above the list of the options
     std::string remark = {}; ///< below it
     std::string platformHelp = "Platform name or file (default: laboratory)."; ///< empty: no --platform
+    QString furtherOperands = {}; ///< what any number of operands may follow: "[LOG.csv ...]"; empty: none
 
     /// What a complaint about the call as a whole begins with: "inverse".
     std::string subject() const { return call.substr(call.rfind(' ') + 1); }
@@ -50,6 +51,7 @@ public:
     Arguments(const Usage& usage, const QStringList& words);
 
     std::string operand(int index) const;
+    int operandCount() const;
     bool has(const char* option) const;
     std::string text(const char* option, const char* fallback) const;
     std::string requiredText(const char* option) const;

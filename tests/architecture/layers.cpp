@@ -66,6 +66,7 @@ const std::vector<Layer>& layers() {
         {"ui/common", values, withQt},
         {"ui/plot", {"core/base"}, withQt},
         {"ui/charts", join(values, {"ui/common", "ui/plot"}), withQt},
+        {"ui/viewer", join(values, {"core/table", "ui/common", "ui/plot", "ui/charts"}), withQt},
         {"ui/report", join(values, {"ui/common", "ui/plot"}), withQt},
         {"ui/console/events", page, withQt},
         {"ui/console/status", join(page, {"ui/console/events"}), withQt},
@@ -75,6 +76,9 @@ const std::vector<Layer>& layers() {
 
         {"app/common", wholeCore, withQt},
         {"app/cli", join(wholeCore, {"app/common", "ui/report", "ui/plot"}), withQt},
+        {"app/viewer",
+         join(values, {"core/table", "app/common", "ui/common", "ui/plot", "ui/charts", "ui/viewer"}),
+         withQt},
         {"app/console",
          join(join(wholeCore, console), {"app/common", "ui/common", "ui/plot", "ui/charts", "ui/report"}),
          withQt},
