@@ -9,6 +9,7 @@
 
 #include <QEvent>
 #include <QLabel>
+#include <QScreen>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QTabBar>
@@ -21,6 +22,7 @@ namespace {
 
 constexpr int kSideWidth = 232;
 constexpr int kSpacing = 8;
+constexpr QSize kUsualSize(1280, 800);
 
 } // namespace
 
@@ -58,7 +60,7 @@ void ViewerWindow::build() {
     column->addWidget(m_bar);
     column->addLayout(middle, 1);
     setCentralWidget(centre);
-    resize(1280, 800);
+    resize(kUsualSize.boundedTo(screen()->availableSize()));
 }
 
 QWidget* ViewerWindow::buildSide() {
