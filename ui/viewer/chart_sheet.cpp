@@ -116,6 +116,7 @@ void ChartSheet::makeWidget(Entry& entry) {
         if (const Entry* found = find(chart))
             m_current = static_cast<std::size_t>(found - m_charts.data());
     });
+    connect(chart, &LogChart::resized, this, &ChartSheet::alignLeft); // there may be other ticks
     connect(chart, &LogChart::zoomRequested, this,
             [this](double factor, double about) { zoom(factor, about); });
     connect(chart, &LogChart::valueZoomRequested, this, [this, chart](double factor, double about) {
@@ -134,7 +135,7 @@ void ChartSheet::makeWidget(Entry& entry) {
                 const Entry* found = find(chart);
                 if (found != nullptr && values)
                     view.values[found->id] = *values;
-                show(std::move(view), ViewHistory::Step::Single);
+                showView(std::move(view), ViewHistory::Step::Single);
             });
     connect(chart, &LogChart::cursorRequested, this,
             [this](char which, double time) { setCursor(which, time); });
@@ -157,9 +158,9 @@ void ChartSheet::showAll() {
     const PageView& view = m_history.view();
     for (const Entry& entry : m_charts) {
         const auto values = view.values.find(entry.id);
-        entry.widget->show({table(), &m_marks, entry.spec, m_curves.find(entry.spec), m_colors, m_theme},
-                           view.time,
-                           values == view.values.end() ? std::nullopt : std::optional(values->second));
+        entry.widget->showPlot({table(), &m_marks, entry.spec, m_curves.find(entry.spec), m_colors, m_theme},
+                               view.time,
+                               values == view.values.end() ? std::nullopt : std::optional(values->second));
     }
     alignLeft();
 }
@@ -180,7 +181,7 @@ TimeSpan ChartSheet::whole() const {
     return {begin, end};
 }
 
-void ChartSheet::show(PageView view, ViewHistory::Step step) {
+void ChartSheet::showView(PageView view, ViewHistory::Step step) {
     const TimeSpan all = whole();
     const double least =
         std::max({kLeastRows * table()->time().usualStep(), kLeastPart * all.length(),
@@ -203,7 +204,7 @@ void ChartSheet::showTime(const TimeSpan& time, ViewHistory::Step step) {
     PageView view = m_history.view();
     view.time = time;
     view.isWhole = false;
-    show(std::move(view), step);
+    showView(std::move(view), step);
 }
 
 void ChartSheet::zoom(double factor, std::optional<double> about) {
@@ -217,7 +218,7 @@ void ChartSheet::zoomValues(Entry& entry, double factor, double about) {
     PageView view = m_history.view();
     const AxisRange& shown = entry.widget->plot().y;
     view.values[entry.id] = {about + (shown.low - about) * factor, about + (shown.high - about) * factor};
-    show(std::move(view), ViewHistory::Step::Burst);
+    showView(std::move(view), ViewHistory::Step::Burst);
 }
 
 void ChartSheet::pan(double part) {
@@ -227,7 +228,7 @@ void ChartSheet::pan(double part) {
 }
 
 void ChartSheet::fit() {
-    show({whole(), {}, true}, ViewHistory::Step::Single);
+    showView({whole(), {}, true}, ViewHistory::Step::Single);
 }
 
 void ChartSheet::goBack() {
@@ -328,11 +329,6 @@ void ChartSheet::changeEvent(QEvent* event) {
     if (event->type() == QEvent::LanguageChange)
         showAll();
     QWidget::changeEvent(event);
-}
-
-void ChartSheet::resizeEvent(QResizeEvent* event) {
-    QWidget::resizeEvent(event);
-    alignLeft();
 }
 
 } // namespace hexapose

@@ -62,7 +62,6 @@ signals:
 protected:
     void keyPressEvent(QKeyEvent* event) override;
     void changeEvent(QEvent* event) override;
-    void resizeEvent(QResizeEvent* event) override;
 
 private:
     struct Entry {
@@ -75,7 +74,7 @@ private:
     Entry* find(const LogChart* widget);
     void showAll();
     void alignLeft();
-    void show(PageView view, ViewHistory::Step step);
+    void showView(PageView view, ViewHistory::Step step);
     TimeSpan whole() const;
     void setCursor(char which, std::optional<double> time);
     double cursorPlace() const;

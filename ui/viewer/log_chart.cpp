@@ -38,8 +38,8 @@ LogChart::LogChart(QWidget* parent) : QWidget(parent) {
     m_source.colors = themeColors(ThemeKind::Light);
 }
 
-void LogChart::show(const LogPlotSource& source, const TimeSpan& view,
-                    const std::optional<AxisRange>& values) {
+void LogChart::showPlot(const LogPlotSource& source, const TimeSpan& view,
+                        const std::optional<AxisRange>& values) {
     m_source = source;
     m_view = view;
     m_plot = emptyLogPlot(source, view, values);
@@ -146,7 +146,7 @@ bool LogChart::isTallBox() const {
 }
 
 void LogChart::paintBox(QPainter& painter, const PlotScale& scale) const {
-    QRectF box = QRectF(m_from, m_to).normalized() & scale.frame;
+    QRectF box = QRectF(m_from, m_to).normalized().adjusted(0.0, 0.0, 0.0, 1.0) & scale.frame;
     if (!isTallBox()) {
         box.setTop(scale.frame.top());
         box.setBottom(scale.frame.bottom());
@@ -160,7 +160,7 @@ void LogChart::paintBox(QPainter& painter, const PlotScale& scale) const {
 
 void LogChart::endBox() {
     const PlotScale scale = layOut().scale;
-    const QRectF box = QRectF(m_from, m_to).normalized() & scale.frame;
+    const QRectF box = QRectF(m_from, m_to).normalized().adjusted(0.0, 0.0, 0.0, 1.0) & scale.frame;
     if (box.width() < kLeastBox)
         return;
     std::optional<AxisRange> values;
@@ -182,6 +182,7 @@ std::optional<LogChart::Drag> LogChart::cursorAt(QPointF position) const {
 void LogChart::resizeEvent(QResizeEvent* event) {
     invalidate();
     QWidget::resizeEvent(event);
+    emit resized();
 }
 
 void LogChart::wheelEvent(QWheelEvent* event) {

@@ -25,7 +25,7 @@ class LogChart final : public QWidget {
 public:
     explicit LogChart(QWidget* parent = nullptr);
 
-    void show(const LogPlotSource& source, const TimeSpan& view, const std::optional<AxisRange>& values);
+    void showPlot(const LogPlotSource& source, const TimeSpan& view, const std::optional<AxisRange>& values);
     const LogPlotSource& source() const { return m_source; }
     /// Of the frame, from the left of the widget, for its own numbers alone; and what all charts agree on.
     double neededLeft() const;
@@ -47,6 +47,7 @@ signals:
     void columnsDropped(const QStringList& names);
     void menuRequested(QPoint globalPosition);
     void entered(); ///< it has got the focus
+    void resized();
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <limits>
 
 namespace hexapose {
@@ -125,18 +126,25 @@ void fillLogPlot(Plot& plot, const LogPlotSource& source, const TimeSpan& view, 
 std::vector<QPointF> pointsOf(const std::vector<PixelColumn>& columns) {
     std::vector<QPointF> points;
     points.reserve(columns.size() * 4);
+    double before = std::numeric_limits<double>::quiet_NaN();
     for (const PixelColumn& column : columns) {
+        // A row without a time stands where the one before it does.
+        const double first = std::isnan(column.firstTime) ? before : column.firstTime;
+        const double last = std::isnan(column.lastTime) ? first : column.lastTime;
+        if (std::isnan(first))
+            continue;
+        before = last;
         if (column.gapBefore && !points.empty())
-            points.emplace_back(column.firstTime, std::numeric_limits<double>::quiet_NaN());
-        points.emplace_back(column.firstTime, column.first);
-        if (column.firstTime == column.lastTime && column.min == column.max)
+            points.emplace_back(first, std::numeric_limits<double>::quiet_NaN());
+        points.emplace_back(first, column.first);
+        if (first == last && column.min == column.max)
             continue;
         // Between first and last, so that the shorter way is drawn.
-        const double middle = 0.5 * (column.firstTime + column.lastTime);
+        const double middle = 0.5 * (first + last);
         const bool isRising = column.last >= column.first;
         points.emplace_back(middle, isRising ? column.min : column.max);
         points.emplace_back(middle, isRising ? column.max : column.min);
-        points.emplace_back(column.lastTime, column.last);
+        points.emplace_back(last, column.last);
     }
     return points;
 }
