@@ -59,9 +59,7 @@ void LogChart::invalidate() {
 }
 
 double LogChart::neededLeft() const {
-    Plot plot = m_plot;
-    plot.leastLeft = 0.0;
-    return layOutPlot(plot, plotArea(), chartStyle(m_source.colors, *this), *this).scale.frame.left();
+    return layOut(0.0).scale.frame.left();
 }
 
 void LogChart::setLeft(double left) {
@@ -81,11 +79,16 @@ QRectF LogChart::plotArea() const {
 }
 
 PlotLayout LogChart::layOut() const {
-    Plot plot = m_plot;
-    plot.series.clear(); // they take no room
-    plot.leastLeft = m_left - plotArea().left();
-    if (!m_isTimeTitleShown)
-        plot.xLabel.clear();
+    return layOut(m_left - plotArea().left());
+}
+
+PlotLayout LogChart::layOut(double leastLeft) const {
+    Plot plot;
+    plot.x = m_plot.x; // curves take no room
+    plot.y = m_plot.y;
+    plot.leastLeft = leastLeft;
+    if (m_isTimeTitleShown)
+        plot.xLabel = m_plot.xLabel;
     return layOutPlot(plot, plotArea(), chartStyle(m_source.colors, *this), *this);
 }
 

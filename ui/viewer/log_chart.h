@@ -67,6 +67,7 @@ private:
     enum class Drag { None, Box, Pan, CursorA, CursorB };
 
     QRectF plotArea() const;
+    PlotLayout layOut(double leastLeft) const;
     void invalidate();
     void drawPicture();
     void paintCursor(QPainter& painter, const PlotScale& scale, double time, const QString& name) const;

@@ -48,7 +48,8 @@ TEST_F(LogPlotTest, TheExtremesDrawnAreThoseOfAllRows) {
         const double one = place(random), other = place(random);
         const TimeSpan view{std::min(one, other), std::max(one, other) + 0.02};
         MinMax drawn;
-        for (const QPointF& point : draw(view, 320).series.at(0).points)
+        const Plot plot = draw(view, 320);
+        for (const QPointF& point : plot.series.at(0).points)
             if (point.x() >= view.begin && point.x() <= view.end && std::isfinite(point.y()))
                 drawn.add(point.y());
         EXPECT_EQ(drawn, bruteForce(view.begin, view.end)) << view.begin << " " << view.end;
