@@ -20,7 +20,7 @@ namespace {
 constexpr int kDelayMs = 40; ///< of the statistics, while cursors and view are on the move
 constexpr int kDigits = 8;
 constexpr int kMostDigits = 15;
-constexpr int kReadOutDigits = 13;
+constexpr int kReadOutDigits = 10; ///< at least
 
 /// As the file has it.
 QString exact(double value) {
@@ -61,7 +61,7 @@ std::vector<CurveSpec> shownCurves(ChartSheet& sheet, std::vector<std::size_t>& 
 
 CursorTable::CursorTable(QWidget* parent)
     : QScrollArea(parent), m_job(new NumbersJob(this)), m_content(new QFrame(this)),
-      m_grid(new QGridLayout(m_content)), m_curve(makeMutedLabel(m_content)) {
+      m_grid(new QGridLayout(m_content)), m_curve(makeMutedLabel(m_content)), m_digits(kReadOutDigits) {
     setWidget(m_content);
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
@@ -126,7 +126,7 @@ void CursorTable::makeLines(const std::vector<CurveSpec>& curves) {
         m_grid->addWidget(line.name, row, 0);
         for (int n = 0; n < kNumbers; ++n) {
             auto* readOut = new ReadOut(m_content);
-            readOut->setDigits(kReadOutDigits);
+            readOut->setDigits(m_digits);
             line.numbers[static_cast<std::size_t>(n)] = readOut;
             m_grid->addWidget(readOut, row, n + 1);
         }
@@ -163,6 +163,7 @@ void CursorTable::refresh() {
         line.numbers[1]->showText(b ? exact(*b) : ReadOut::dash());
         line.numbers[2]->showText(a && b ? rounded(*b - *a) : ReadOut::dash());
     }
+    widen();
     if (!m_delay.isActive()) // not put off for ever by a steady movement
         m_delay.start();
 }
@@ -182,6 +183,21 @@ void CursorTable::showStatistics(const std::vector<Statistics>& statistics,
         numbers[7]->showText(exact(of.max));
         numbers[8]->showText(QString::number(of.count));
     }
+    widen();
+}
+
+/// No number is cut: the longest one has room, and all of them the same.
+void CursorTable::widen() {
+    int digits = m_digits;
+    for (const Line& line : m_lines)
+        for (const ReadOut* number : line.numbers)
+            digits = std::max(digits, static_cast<int>(number->text().size()));
+    if (digits == m_digits)
+        return;
+    m_digits = digits;
+    for (const Line& line : m_lines)
+        for (ReadOut* number : line.numbers)
+            number->setDigits(digits);
 }
 
 void CursorTable::retranslate() {

@@ -41,6 +41,7 @@ private:
     void refresh();
     void makeLines(const std::vector<CurveSpec>& curves);
     void showStatistics(const std::vector<Statistics>& statistics, const std::vector<Curve>& curves);
+    void widen();
     void retranslate();
 
     ChartSheet* m_sheet = nullptr;
@@ -51,6 +52,7 @@ private:
     QGridLayout* m_grid;
     QLabel* m_curve;
     std::array<QLabel*, kNumbers> m_heads{};
+    int m_digits; ///< that a number has room for
     std::vector<Line> m_lines;
     std::vector<QColor> m_colours;
 };

@@ -137,7 +137,7 @@ void LogChart::paintCursor(QPainter& painter, const PlotScale& scale, double tim
     painter.drawLine(QPointF(x, scale.frame.top()), QPointF(x, scale.frame.bottom()));
     const QFontMetricsF metrics(style.tickFont, this);
     QRectF box(0.0, 0.0, metrics.horizontalAdvance(name) + 8.0, metrics.height());
-    box.moveCenter(QPointF(x, scale.frame.top() + box.height() / 2.0));
+    box.moveCenter(QPointF(x, scale.frame.top() - box.height() / 2.0)); // beside the texts of events
     painter.setFont(style.tickFont);
     painter.fillRect(box, m_source.colors.text);
     painter.setPen(m_source.colors.surface);

@@ -15,6 +15,7 @@ namespace hexapose {
 namespace {
 
 constexpr double kTimeTicks = 8.0;
+constexpr double kValueTicks = 4.0;
 constexpr std::size_t kColours = 8;
 
 struct ColourPair {
@@ -97,6 +98,7 @@ Plot emptyLogPlot(const LogPlotSource& source, const TimeSpan& view, const std::
     plot.yLabel = unitsOf(curves);
     plot.x = {view.begin, view.end, niceStep(view.length() / kTimeTicks)};
     plot.y = values ? *values : roomyRange(valuesIn(*source.table, curves, view));
+    plot.y.tick = niceStep(plot.y.high / kValueTicks - plot.y.low / kValueTicks);
     if (curves.empty() && !source.chart.curves.empty() && source.table->rowCount() > 0)
         plot.note = LogPlotWords::tr("This log has none of these columns");
     return plot;

@@ -90,13 +90,18 @@ void ViewBar::follow(ChartSheet* sheet) {
     enable();
 }
 
+void ViewBar::setExporting(bool isExporting) {
+    m_isExporting = isExporting;
+    enable();
+}
+
 void ViewBar::enable() {
     const bool any = m_sheet != nullptr && m_sheet->table()->rowCount() > 0;
     m_back->setEnabled(any && m_sheet->canGoBack());
     m_forward->setEnabled(any && m_sheet->canGoForward());
-    for (QWidget* widget :
-         std::initializer_list<QWidget*>{m_zoomIn, m_zoomOut, m_fit, m_cursorA, m_cursorB, m_export})
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_zoomIn, m_zoomOut, m_fit, m_cursorA, m_cursorB})
         widget->setEnabled(any);
+    m_export->setEnabled(any && !m_isExporting);
 }
 
 /// Also that of the other field, and not over what is being typed.

@@ -22,6 +22,8 @@ public:
     explicit ViewBar(QWidget* parent = nullptr);
     /// Null for none.
     void follow(ChartSheet* sheet);
+    /// One at a time.
+    void setExporting(bool isExporting);
 
 signals:
     void openRequested();
@@ -38,6 +40,7 @@ private:
     void retranslate();
 
     ChartSheet* m_sheet = nullptr;
+    bool m_isExporting = false;
     QPushButton* m_open;
     QPushButton* m_back;
     QPushButton* m_forward;

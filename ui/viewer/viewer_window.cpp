@@ -12,6 +12,7 @@
 #include "ui/viewer/view_bar.h"
 
 #include <QDragEnterEvent>
+#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLabel>
@@ -27,7 +28,7 @@ ViewerWindow::ViewerWindow(QWidget* parent)
     : QMainWindow(parent), m_bar(new ViewBar(this)), m_tabs(new QTabBar(this)),
       m_pages(new QStackedWidget(this)), m_hint(new QLabel(this)), m_summary(new LogSummary(this)),
       m_columns(new ColumnList(this)), m_problems(new ProblemPanel(this)),
-      m_cursorTable(new CursorTable(this)) {
+      m_cursorTable(new CursorTable(this)), m_export(QStringLiteral("export")) {
     build();
     wire();
     setAcceptDrops(true);
@@ -165,13 +166,27 @@ void ViewerWindow::askForExport() {
                                         "shown, as they stand in the log (*.csv)"));
     if (file.isEmpty())
         return;
-    try {
-        exportCharts({page->sheet().table(), page->sheet().chartLayout(), page->sheet().time(),
-                      page->file().path().toStdString()},
-                     file.toStdString());
-    } catch (const InputError& error) {
-        complain(QString::fromUtf8(error.what()));
-    }
+    exportTo(file);
+}
+
+/// In the background: rows by the gigabyte take their time.
+void ViewerWindow::exportTo(const QString& file) {
+    LogPage* page = current();
+    if (page == nullptr)
+        return;
+    const ChartPicture picture{page->sheet().table(), page->sheet().chartLayout(), page->sheet().time(),
+                               QFile::encodeName(page->file().path()).toStdString()};
+    m_bar->setExporting(true);
+    m_export.start(
+        [picture, to = QFile::encodeName(file).toStdString()](const Job& /*job*/) {
+            exportCharts(picture, to);
+            return true;
+        },
+        [this](const Job::Outcome<bool>& outcome) {
+            m_bar->setExporting(false);
+            if (!outcome.result)
+                complain(outcome.error);
+        });
 }
 
 void ViewerWindow::saveLayout() {

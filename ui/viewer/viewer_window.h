@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/common/job.h"
 #include "ui/viewer/log_page.h"
 
 #include <QMainWindow>
@@ -39,6 +40,7 @@ public:
     // What the menu asks for.
     void askForLogs(bool inThisLayout);
     void askForExport();
+    void exportTo(const QString& file);
     void saveLayout();
     void loadLayoutFile();
 
@@ -70,6 +72,7 @@ private:
     ColumnList* m_columns;
     ProblemPanel* m_problems;
     CursorTable* m_cursorTable;
+    Job m_export;
     QString m_folder; ///< of the log opened last
 };
 

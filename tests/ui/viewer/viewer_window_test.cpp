@@ -74,7 +74,8 @@ TEST_F(ViewerWindowTest, ListsProblemsAndShowsTheLineOfOne) {
 TEST_F(ViewerWindowTest, WhatCannotBeReadIsSaid) {
     const TemporaryLog log("");
     open(log);
-    EXPECT_TRUE(text("Reading").contains(QStringLiteral("empty"))) << text("Reading").toStdString();
+    EXPECT_TRUE(waitUntil([this] { return text("Reading").contains(QStringLiteral("empty")); }))
+        << text("Reading").toStdString();
 }
 
 TEST_F(ViewerWindowTest, CursorsGiveValuesAndStatistics) {
