@@ -19,16 +19,19 @@ namespace {
 
 constexpr int kDelayMs = 40; ///< of the statistics, while cursors and view are on the move
 constexpr int kDigits = 8;
+constexpr int kDifferenceDigits = 10;
 constexpr int kMostDigits = 15;
 constexpr int kReadOutDigits = 10; ///< at least
 
-/// As the file has it.
-QString exact(double value) {
-    return std::isfinite(value) ? QString::fromStdString(formatNumber(value)) : ReadOut::dash();
-}
-
 QString rounded(double value, int digits = kDigits) {
     return std::isfinite(value) ? QString::number(value, 'g', digits) : ReadOut::dash();
+}
+
+/// As the file has it; what was worked out from columns ends in digits that are none.
+QString exact(double value, const CurveSpec& curve) {
+    if (!curve.minus.isEmpty())
+        return rounded(value, kDifferenceDigits);
+    return std::isfinite(value) ? QString::fromStdString(formatNumber(value)) : ReadOut::dash();
 }
 
 /// With as many digits as its scatter makes sense of.
@@ -61,7 +64,8 @@ std::vector<CurveSpec> shownCurves(ChartSheet& sheet, std::vector<std::size_t>& 
 
 CursorTable::CursorTable(QWidget* parent)
     : QScrollArea(parent), m_job(new NumbersJob(this)), m_content(new QFrame(this)),
-      m_grid(new QGridLayout(m_content)), m_curve(makeMutedLabel(m_content)), m_digits(kReadOutDigits) {
+      m_grid(new QGridLayout(m_content)), m_curve(makeMutedLabel(m_content)) {
+    m_digits.fill(kReadOutDigits);
     setWidget(m_content);
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
@@ -126,7 +130,7 @@ void CursorTable::makeLines(const std::vector<CurveSpec>& curves) {
         m_grid->addWidget(line.name, row, 0);
         for (int n = 0; n < kNumbers; ++n) {
             auto* readOut = new ReadOut(m_content);
-            readOut->setDigits(m_digits);
+            readOut->setDigits(m_digits[static_cast<std::size_t>(n)]);
             line.numbers[static_cast<std::size_t>(n)] = readOut;
             m_grid->addWidget(readOut, row, n + 1);
         }
@@ -159,8 +163,8 @@ void CursorTable::refresh() {
             return curve && time ? valueAt(*m_sheet->table(), *curve->column, *time) : std::nullopt;
         };
         const auto a = at(cursors.a), b = at(cursors.b);
-        line.numbers[0]->showText(a ? exact(*a) : ReadOut::dash());
-        line.numbers[1]->showText(b ? exact(*b) : ReadOut::dash());
+        line.numbers[0]->showText(a ? exact(*a, line.spec) : ReadOut::dash());
+        line.numbers[1]->showText(b ? exact(*b, line.spec) : ReadOut::dash());
         line.numbers[2]->showText(a && b ? rounded(*b - *a) : ReadOut::dash());
     }
     widen();
@@ -179,25 +183,25 @@ void CursorTable::showStatistics(const std::vector<Statistics>& statistics,
         numbers[3]->showText(meanText(of));
         numbers[4]->showText(rounded(of.sigma));
         numbers[5]->showText(rounded(of.rms));
-        numbers[6]->showText(exact(of.min));
-        numbers[7]->showText(exact(of.max));
+        numbers[6]->showText(exact(of.min, m_lines[i].spec));
+        numbers[7]->showText(exact(of.max, m_lines[i].spec));
         numbers[8]->showText(QString::number(of.count));
     }
     widen();
 }
 
-/// No number is cut: the longest one has room, and all of them the same.
+/// No number is cut: the longest one of a column has room.
 void CursorTable::widen() {
-    int digits = m_digits;
-    for (const Line& line : m_lines)
-        for (const ReadOut* number : line.numbers)
-            digits = std::max(digits, static_cast<int>(number->text().size()));
-    if (digits == m_digits)
-        return;
-    m_digits = digits;
-    for (const Line& line : m_lines)
-        for (ReadOut* number : line.numbers)
-            number->setDigits(digits);
+    for (std::size_t i = 0; i < m_digits.size(); ++i) {
+        int digits = m_digits[i];
+        for (const Line& line : m_lines)
+            digits = std::max(digits, static_cast<int>(line.numbers[i]->text().size()));
+        if (digits == m_digits[i])
+            continue;
+        m_digits[i] = digits;
+        for (const Line& line : m_lines)
+            line.numbers[i]->setDigits(digits);
+    }
 }
 
 void CursorTable::retranslate() {

@@ -52,7 +52,7 @@ private:
     QGridLayout* m_grid;
     QLabel* m_curve;
     std::array<QLabel*, kNumbers> m_heads{};
-    int m_digits; ///< that a number has room for
+    std::array<int, kNumbers> m_digits{}; ///< that a number of each column has room for
     std::vector<Line> m_lines;
     std::vector<QColor> m_colours;
 };
