@@ -1472,10 +1472,6 @@ FSI：以小步沿支腿路径跟踪
         <translation>问题：无</translation>
     </message>
     <message>
-        <source>Problems: %1, rows left out: %2, cells missing: %3</source>
-        <translation>问题：%1，略去的行：%2，缺失的单元格：%3</translation>
-    </message>
-    <message>
         <source>Problems</source>
         <translation>问题</translation>
     </message>
@@ -1534,6 +1530,14 @@ FSI：以小步沿支腿路径跟踪
     <message>
         <source>line %1</source>
         <translation>第 %1 行</translation>
+    </message>
+    <message>
+        <source>Problems: %1</source>
+        <translation>问题：%1</translation>
+    </message>
+    <message>
+        <source>%1 rows left out, %2 cells missing</source>
+        <translation>略去 %1 行，缺失 %2 个单元格</translation>
     </message>
 </context>
 <context>

@@ -22,6 +22,7 @@ namespace {
 constexpr double kAxisWidth = 1.0; // in units
 constexpr double kGridWidth = 0.7;
 constexpr double kCurveWidth = 1.5;
+constexpr double kFinePixel = 0.7;
 constexpr double kDenseLength =
     6.0; ///< widths of the frame: a longer curve is drawn thin and without smoothing
 
@@ -245,6 +246,12 @@ void PlotPainter::paintReduced(const Plot::Series& series, QPen line) {
         line.setWidthF(0.0); // one pixel of the device
     m_painter.setRenderHint(QPainter::Antialiasing, !isDense);
     paintCurve(m_painter, pieces, line);
+    if (m_style.pixel > 0.0 && m_style.pixel < kFinePixel) // where pixels are small, one is too thin
+        for (const QPointF& step : {QPointF(m_style.pixel, 0.0), QPointF(0.0, m_style.pixel)}) {
+            m_painter.translate(step);
+            paintCurve(m_painter, pieces, line);
+            m_painter.translate(-step);
+        }
     m_painter.setRenderHint(QPainter::Antialiasing);
 }
 

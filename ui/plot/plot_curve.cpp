@@ -10,6 +10,7 @@ namespace hexapose {
 
 namespace {
 
+constexpr double kDotWidth = 3.0;
 constexpr double kAlike = 0.2; ///< pixels between points that are one to the eye
 constexpr double kBeyond =
     1e6; ///< pixels outside the frame, where a value far away is as good as at its place
@@ -135,6 +136,8 @@ void paintCurve(QPainter& painter, const CurvePieces& pieces, const QPen& pen) {
         } else {
             used.setStyle(Qt::SolidLine);
             used.setCapStyle(Qt::RoundCap);
+            if (used.widthF() <= 0.0) // of a pixel, which is hard to see alone
+                used.setWidthF(kDotWidth);
             painter.setPen(used);
             painter.drawPoint(piece.front());
         }

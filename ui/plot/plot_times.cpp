@@ -14,6 +14,8 @@ namespace {
 constexpr double kTextGap = 3.0;    // in units
 constexpr double kLeastText = 24.0; ///< less room says nothing
 constexpr double kLongestText = 260.0;
+constexpr double kCrowdedInstant = 30.0;
+constexpr float kCrowdedAlpha = 0.3F;
 
 } // namespace
 
@@ -55,13 +57,18 @@ void paintInstants(QPainter& painter, const Plot& plot, const PlotLayout& layout
     painter.setClipRect(frame, Qt::IntersectClip);
     painter.setRenderHint(QPainter::Antialiasing, style.pixel <= 0.0);
     painter.setFont(style.tickFont);
+    // A crowd of them shall not hide the curves.
+    const double crowd = frame.width() / (kCrowdedInstant * style.unit);
+    QColor line = style.label;
+    if (static_cast<double>(plot.instants.size()) > crowd)
+        line.setAlphaF(kCrowdedAlpha);
     double taken = frame.left();
     for (std::size_t i = 0; i < plot.instants.size(); ++i) {
         const Plot::Instant& instant = plot.instants[i];
         const double x = style.onPixel(layout.scale.at(instant.x, 0.0).x());
         if (x < frame.left() || x > frame.right())
             continue;
-        painter.setPen(QPen(style.label, style.pixel > 0.0 ? style.pixel : style.unit, Qt::DotLine));
+        painter.setPen(QPen(line, style.pixel > 0.0 ? style.pixel : style.unit, Qt::DotLine));
         painter.drawLine(QPointF(x, frame.top()), QPointF(x, frame.bottom()));
         double end = frame.right();
         if (i + 1 < plot.instants.size())

@@ -26,9 +26,9 @@ protected:
         QStringList names;
         for (const QListWidgetItem* item : items)
             names.append(item->text());
-        auto* data = new QMimeData;
-        data->setData(QString::fromLatin1(kColumnsMime), names.join(QLatin1Char('\n')).toUtf8());
-        return data;
+        auto* dragged = new QMimeData;
+        dragged->setData(QString::fromLatin1(kColumnsMime), names.join(QLatin1Char('\n')).toUtf8());
+        return dragged;
     }
 };
 

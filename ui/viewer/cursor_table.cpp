@@ -136,8 +136,10 @@ void CursorTable::makeLines(const std::vector<CurveSpec>& curves) {
         }
         m_lines.push_back(line);
     }
+    const int lastRow = static_cast<int>(curves.size()) + 1;
     for (int row = 0; row < m_grid->rowCount(); ++row)
-        m_grid->setRowStretch(row, row == static_cast<int>(curves.size()) + 1 ? 1 : 0);
+        m_grid->setRowStretch(row, 0);
+    m_grid->setRowStretch(lastRow, 1); // the rest of the room
     retranslate();
 }
 

@@ -23,6 +23,13 @@ QString megabytes(std::uint64_t bytes) {
     return QString::fromStdString(formatFixed(static_cast<double>(bytes) / kBytesOfMegabyte, 1));
 }
 
+/// Without the folder, which has no room here.
+QString errorText(const QString& name, const std::string& error) {
+    const QString text = QString::fromStdString(error);
+    const qsizetype at = text.indexOf(name);
+    return at >= 0 ? text.mid(at) : text;
+}
+
 QString spanText(const Table& table) {
     if (table.rowCount() == 0)
         return ReadOut::dash();
@@ -36,7 +43,7 @@ QString spanText(const Table& table) {
 
 LogSummary::LogSummary(QWidget* parent)
     : Card(parent), m_rows(new ReadOut(this)), m_columns(new ReadOut(this)), m_span(new ReadOut(this)),
-      m_bar(new QProgressBar(this)), m_cancel(new QPushButton(this)), m_state(new TextReadOut(1, this)) {
+      m_bar(new QProgressBar(this)), m_cancel(new QPushButton(this)), m_state(new TextReadOut(2, this)) {
     auto* grid = new QGridLayout;
     grid->setSpacing(4);
     int row = 0;
@@ -70,6 +77,7 @@ void LogSummary::showNothing() {
 }
 
 void LogSummary::showLog(const QString& name, const Table& table, const LoadProgress& progress) {
+    m_name = name;
     setTitle(name);
     m_rows->showText(QString::number(table.rowCount()));
     m_columns->showText(QString::number(table.columns().size()));
@@ -88,9 +96,9 @@ void LogSummary::showProgress(const LoadProgress& progress) {
     if (!progress.isDone)
         state = tr("%1 of %2 MB, %3 rows")
                     .arg(megabytes(progress.bytesRead), megabytes(progress.bytesInAll))
-                    .arg(progress.rows);
+                    .arg(m_rows->text());
     else if (progress.error)
-        state = QString::fromStdString(*progress.error);
+        state = errorText(m_name, *progress.error);
     else if (progress.isCancelled)
         state = tr("Cancelled: only the first part was read");
     m_state->showText(state);

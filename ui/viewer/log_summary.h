@@ -31,6 +31,7 @@ private:
     void showProgress(const LoadProgress& progress);
     void retranslate();
 
+    QString m_name;
     LoadProgress m_progress;
     QLabel* m_captions[3];
     ReadOut* m_rows;

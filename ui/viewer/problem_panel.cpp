@@ -47,12 +47,14 @@ private:
 
 ProblemPanel::ProblemPanel(QWidget* parent)
     : Card(parent), m_table(std::make_shared<Table>()), m_model(new ProblemModel(this)),
-      m_list(new QListView(this)), m_line(new TextReadOut(2, this)) {
+      m_count(makeMutedLabel(this)), m_list(new QListView(this)), m_line(new TextReadOut(2, this)) {
     m_list->setModel(m_model);
     m_list->setUniformItemSizes(true);
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // the tip has the whole text
     m_list->setMinimumHeight(44);
     m_line->setLineWrapMode(QTextEdit::NoWrap);
     m_line->hide();
+    body()->addWidget(m_count);
     body()->addWidget(m_list, 1);
     body()->addWidget(m_line);
     connect(m_list->selectionModel(), &QItemSelectionModel::currentChanged, this,
@@ -83,14 +85,11 @@ void ProblemPanel::showLine(int row) {
 }
 
 void ProblemPanel::retranslate() {
-    const ProblemPanel* self = this;
-    const auto& problems = self->m_table->problems();
-    const QString title = problems.isEmpty() ? tr("Problems: none")
-                                             : tr("Problems: %1, rows left out: %2, cells missing: %3")
-                                                   .arg(problems.count)
-                                                   .arg(problems.rowsLeftOut)
-                                                   .arg(problems.cellsMissing);
-    setTitle(title);
+    const ProblemList& problems = m_table->problems();
+    setTitle(problems.isEmpty() ? tr("Problems: none") : tr("Problems: %1").arg(problems.count));
+    m_count->setVisible(!problems.isEmpty());
+    m_count->setText(tr("%1 rows left out, %2 cells missing")
+                         .arg(QString::number(problems.rowsLeftOut), QString::number(problems.cellsMissing)));
     m_list->setAccessibleName(tr("Problems"));
     m_line->setAccessibleName(tr("Text of the line"));
 }

@@ -31,6 +31,7 @@ private:
     std::shared_ptr<const Table> m_table;
     QString m_file;
     ProblemModel* m_model;
+    QLabel* m_count;
     QListView* m_list;
     TextReadOut* m_line;
 };
