@@ -17,6 +17,12 @@ std::size_t lastLineEnd(const char* text, std::size_t size, bool isLast) {
     return 0;
 }
 
+/// Whether a character parts fields; any that commonly does where the separator is not known yet.
+bool parts(char separator, char c) {
+    return separator != LineBlocks::kAnySeparator ? c == separator
+                                                  : c == ',' || c == ';' || c == '\t' || c == '|';
+}
+
 /// Where the last line ends that is complete, in a text that begins outside of quotes; 0: none does.
 std::size_t findCut(const char* text, std::size_t size, char separator, bool isLast) {
     if (std::memchr(text, '"', size) == nullptr)
@@ -40,7 +46,7 @@ std::size_t findCut(const char* text, std::size_t size, char separator, bool isL
             cut = i + 1;
             atStart = true;
         } else {
-            atStart = c == separator || (atStart && c == ' ');
+            atStart = parts(separator, c) || (atStart && c == ' ');
         }
     }
     return cut;

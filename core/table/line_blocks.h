@@ -23,6 +23,7 @@ struct LineBlock {
 class LineBlocks {
 public:
     static constexpr std::size_t kBlock = std::size_t{1} << 20;
+    static constexpr char kAnySeparator = '\0'; ///< it is not known yet
     static constexpr std::size_t kLongestLine = std::size_t{1} << 26;
 
     explicit LineBlocks(TextSource& source, std::size_t blockSize = kBlock)

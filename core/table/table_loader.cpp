@@ -69,13 +69,15 @@ struct TableLoader::Impl {
 
 void TableLoader::Impl::open() {
     source = std::make_unique<TextSource>(file);
-    blocks = std::make_unique<LineBlocks>(*source);
+    blocks = std::make_unique<LineBlocks>(
+        *source, options.format && options.blockSize > 0 ? options.blockSize : LineBlocks::kBlock);
     {
         const std::lock_guard lock(publishing);
         progress.bytesInAll = source->size();
     }
     LineBlock block;
-    const bool any = blocks->next(block, ',');
+    const bool any =
+        blocks->next(block, options.format ? options.format->separator : LineBlocks::kAnySeparator);
     if (any && block.skipped > 0)
         throw InputError(source->name(), "begins with a line of over " +
                                              std::to_string(LineBlocks::kLongestLine >> 20) +
@@ -239,7 +241,7 @@ std::shared_ptr<const Table> TableLoader::table() const {
 
 std::shared_ptr<const Table> loadTable(const std::filesystem::path& file,
                                        const std::optional<TableFormat>& format) {
-    TableLoader loader(file, {format, 0, {}});
+    TableLoader loader(file, {format, 0, {}, 0});
     loader.wait();
     if (const auto error = loader.progress().error)
         throw InputError(*error);

@@ -33,6 +33,7 @@ public:
         /// Called from a thread of the loader when progress() has changed, at most some 20 times a second,
         /// and once at the end.
         std::function<void()> onProgress;
+        std::size_t blockSize = 0; ///< bytes that are parsed at once, of a known format; 0: a mebibyte
     };
 
     /// Does not throw for a file that cannot be read: progress() reports it.

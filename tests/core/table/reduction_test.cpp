@@ -5,6 +5,7 @@
 
 #include "core/table/reduction.h"
 #include "tests/core/table/table_files.h"
+#include "tests/support/sample_count.h"
 
 #include <gmock/gmock.h>
 
@@ -46,7 +47,7 @@ bool equal(const MinMax& a, const MinMax& b) {
 TEST(Pyramid, RangesEqualASearchThroughAllRows) {
     const auto table = tableOf(walk(300000, 1)); // more than a chunk
     std::mt19937_64 random(2);
-    for (int i = 0; i < 3000; ++i) {
+    for (int i = 0; i < samples(3000); ++i) {
         Row begin = random() % (table->rowCount() + 1), end = random() % (table->rowCount() + 1);
         if (begin > end)
             std::swap(begin, end);
@@ -59,12 +60,12 @@ TEST(Pyramid, RangesEqualASearchThroughAllRows) {
 }
 
 TEST(Reduction, DrawnExtremesEqualASearchThroughAllRowsInEveryView) {
-    const auto table = tableOf(walk(100000, 3));
+    const auto table = tableOf(walk(20000, 3));
     const Column& column = table->columns()[1];
     const TimeAxis& time = table->time();
     std::mt19937_64 random(4);
     std::uniform_real_distribution<double> part(0.0, 1.0);
-    for (int i = 0; i < 1000; ++i) {
+    for (int i = 0; i < samples(1000); ++i) {
         const double width = time.end() * std::pow(10.0, -4.0 * part(random));
         const double begin = (time.end() - width) * part(random);
         const TimeView view{begin, begin + width, 1 + static_cast<int>(1500 * part(random))};

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
+#include <cmath>
 #include <fstream>
 
 namespace hexapose::testing_support {
@@ -64,6 +65,20 @@ std::vector<std::string> namesOf(const Table& table) {
     for (const Column& column : table.columns())
         names.push_back(column.info().name);
     return names;
+}
+
+void expectSame(const Table& a, const Table& b) {
+    ASSERT_EQ(a.rowCount(), b.rowCount());
+    ASSERT_EQ(namesOf(a), namesOf(b));
+    for (std::size_t i = 0; i < a.columns().size(); ++i)
+        for (Row row = 0; row < a.rowCount(); ++row) {
+            const double x = a.columns()[i].number(row), y = b.columns()[i].number(row);
+            ASSERT_TRUE(x == y || (std::isnan(x) && std::isnan(y))) << namesOf(a)[i] << ", row " << row;
+            ASSERT_EQ(a.columns()[i].word(row), b.columns()[i].word(row));
+        }
+    for (Row row = 0; row < a.rowCount(); ++row)
+        ASSERT_EQ(a.lineOf(row), b.lineOf(row));
+    EXPECT_EQ(problemsOf(a), problemsOf(b));
 }
 
 std::string gzip(const std::string& text) {

@@ -35,6 +35,9 @@ std::vector<std::string> wordsOf(const Table& table, const std::string& column);
 std::vector<std::string> problemsOf(const Table& table);
 std::vector<std::string> namesOf(const Table& table);
 
+/// Every cell, line and problem.
+void expectSame(const Table& a, const Table& b);
+
 std::string gzip(const std::string& text);
 std::string utf16(const std::string& ascii, bool bigEndian);
 
