@@ -105,6 +105,14 @@
         <source>Waiting for the first measurement</source>
         <translation>正在等待首个测量值</translation>
     </message>
+    <message>
+        <source>The control loop ended: %1. Disconnect and connect again.</source>
+        <translation>控制循环已结束：%1。请断开后重新连接。</translation>
+    </message>
+    <message>
+        <source>The log is not complete: %1</source>
+        <translation>日志不完整：%1</translation>
+    </message>
 </context>
 <context>
     <name>hexapose::ChartPage</name>
@@ -153,8 +161,12 @@
         <translation>实测</translation>
     </message>
     <message>
-        <source>target</source>
-        <translation>目标</translation>
+        <source>path</source>
+        <translation>路径</translation>
+    </message>
+    <message>
+        <source>set-point</source>
+        <translation>设定值</translation>
     </message>
 </context>
 <context>
@@ -486,15 +498,15 @@ FSI：以小步沿支腿路径跟踪
         <translation>已停止：控制器拒绝了设定值</translation>
     </message>
     <message>
-        <source>The control loop ended</source>
-        <translation>控制循环已结束</translation>
+        <source>The control loop ended: %1</source>
+        <translation>控制循环已结束：%1</translation>
     </message>
     <message>
-        <source>Disconnect and connect again; send the log to the manufacturer.</source>
-        <translation>请断开后重新连接；并将日志发给厂家。</translation>
+        <source>Disconnect and connect again; report the error with its log.</source>
+        <translation>请断开后重新连接；并附上日志报告此错误。</translation>
     </message>
     <message>
-        <source>Fault of the controller</source>
+        <source>Controller fault</source>
         <translation>控制器故障</translation>
     </message>
     <message>
@@ -590,8 +602,8 @@ FSI：以小步沿支腿路径跟踪
         <translation>已停止：控制器在 %1 ms 内未接受任何设定值</translation>
     </message>
     <message>
-        <source>Stopped: a set-point would have left a stroke</source>
-        <translation>已停止：设定值将超出行程</translation>
+        <source>Stopped at a limit</source>
+        <translation>已在限值处停止</translation>
     </message>
     <message>
         <source>Stopped: the controller gave another name or other limits</source>
@@ -650,6 +662,10 @@ FSI：以小步沿支腿路径跟踪
         <translation>请等待控制器连接。</translation>
     </message>
     <message>
+        <source>There is nothing to resume.</source>
+        <translation>没有可继续的运动。</translation>
+    </message>
+    <message>
         <source>Nothing has changed.</source>
         <translation>没有任何改变。</translation>
     </message>
@@ -660,6 +676,14 @@ FSI：以小步沿支腿路径跟踪
     <message>
         <source>Move started: %1 s at full speed</source>
         <translation>运动开始：全速时 %1 s</translation>
+    </message>
+    <message>
+        <source>out of memory</source>
+        <translation>内存不足</translation>
+    </message>
+    <message>
+        <source>internal error &quot;%1&quot;</source>
+        <translation>内部错误“%1”</translation>
     </message>
 </context>
 <context>
@@ -764,16 +788,95 @@ FSI：以小步沿支腿路径跟踪
         <source>Ended by Stop. Press Clear before the next one.</source>
         <translation>已由“停止”结束。下次测试前请先按“故障复位”。</translation>
     </message>
+    <message>
+        <source>The platform is not ready any more. Nothing moved.</source>
+        <translation>平台已不再就绪。未产生运动。</translation>
+    </message>
+</context>
+<context>
+    <name>hexapose::InputFaultText</name>
+    <message>
+        <source>exists already</source>
+        <translation>已存在</translation>
+    </message>
+    <message>
+        <source>cannot be created: %1</source>
+        <translation>无法创建：%1</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1</source>
+        <translation>无法写入：%1</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>无法读取：%1</translation>
+    </message>
+    <message>
+        <source>cannot be read further</source>
+        <translation>无法继续读取</translation>
+    </message>
+    <message>
+        <source>is a directory</source>
+        <translation>是一个目录</translation>
+    </message>
+    <message>
+        <source>is empty, a header row was expected</source>
+        <translation>为空，应有表头行</translation>
+    </message>
+    <message>
+        <source>a quote is opened and never closed</source>
+        <translation>引号未闭合</translation>
+    </message>
+    <message>
+        <source>is not UTF-8 text</source>
+        <translation>不是 UTF-8 文本</translation>
+    </message>
+    <message>
+        <source>column %1 is missing</source>
+        <translation>缺少列 %1</translation>
+    </message>
+    <message>
+        <source>column %1 is missing; separate the fields by commas</source>
+        <translation>缺少列 %1；请用逗号分隔各字段</translation>
+    </message>
+    <message>
+        <source>column %1 appears twice</source>
+        <translation>列 %1 出现了两次</translation>
+    </message>
+    <message>
+        <source>the last line is incomplete</source>
+        <translation>最后一行不完整</translation>
+    </message>
+    <message>
+        <source>%1 fields, but the header has %2</source>
+        <translation>有 %1 个字段，但表头有 %2 个</translation>
+    </message>
+    <message>
+        <source>%1 &quot;%2&quot; is not a finite number</source>
+        <translation>%1 的值“%2”不是有限数值</translation>
+    </message>
+    <message>
+        <source>the list holds no poses</source>
+        <translation>列表中没有位姿</translation>
+    </message>
+    <message>
+        <source>%1, line %2: %3</source>
+        <translation>%1，第 %2 行：%3</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
 </context>
 <context>
     <name>hexapose::JogPanel</name>
     <message>
-        <source>Moves while a button is held. Keys, with the focus here: arrows for x and y, page up and down for z, with Shift about them</source>
-        <translation>按住按钮时运动。焦点在此处时可用键盘：方向键为 x 和 y，PgUp/PgDn 为 z，加 Shift 为绕各轴转动</translation>
+        <source>Moves while a button is held. Keys, with the focus here: arrows for x and y, page up and down for z; hold Shift to rotate about the axis</source>
+        <translation>按住按钮时运动。焦点在此处时可用键盘：方向键为 x 和 y，PgUp/PgDn 为 z；按住 Shift 则绕该轴转动</translation>
     </message>
     <message>
-        <source>One step a click, or a key: arrows for x and y, page up and down for z, with Shift about them</source>
-        <translation>每次点击或按键走一步：方向键为 x 和 y，PgUp/PgDn 为 z，加 Shift 为绕各轴转动</translation>
+        <source>One step per click or key: arrows for x and y, page up and down for z; hold Shift to rotate about the axis</source>
+        <translation>每次点击或按键走一步：方向键为 x 和 y，PgUp/PgDn 为 z；按住 Shift 则绕该轴转动</translation>
     </message>
     <message>
         <source>Frame</source>
@@ -792,8 +895,8 @@ FSI：以小步沿支腿路径跟踪
         <translation>平台</translation>
     </message>
     <message>
-        <source>Along and about the axes of the base, or those of the platform as it stands</source>
-        <translation>沿基座各轴，或沿平台当前各轴移动和转动</translation>
+        <source>Along and about the axes of the base, or those of the platform in its present orientation</source>
+        <translation>沿基座各轴，或沿平台当前姿态的各轴移动和转动</translation>
     </message>
     <message>
         <source>Step</source>
@@ -808,7 +911,7 @@ FSI：以小步沿支腿路径跟踪
         <translation>按住</translation>
     </message>
     <message>
-        <source>Hold: as long as a button is held. A number: so many mm or degrees a click</source>
+        <source>Hold: moves as long as a button is held. A number: moves by this many mm or degrees per click</source>
         <translation>按住：按住按钮期间一直运动。数值：每次点击运动的毫米数或度数</translation>
     </message>
     <message>
@@ -816,8 +919,8 @@ FSI：以小步沿支腿路径跟踪
         <translation>点动按键区</translation>
     </message>
     <message>
-        <source>Keys, with the focus here: left and right x, down and up y, page down and page up z; with Shift alpha, beta, gamma. Letting go ends the motion.</source>
-        <translation>焦点在此处时可用键盘：左右键 x，下上键 y，PgDn/PgUp z；加 Shift 为 alpha、beta、gamma。松开即停止运动。</translation>
+        <source>Keys, with the focus here: left and right x, down and up y, page down and page up z; hold Shift for alpha, beta, gamma. Letting go ends the motion.</source>
+        <translation>焦点在此处时可用键盘：左右键 x，下上键 y，PgDn/PgUp z；按住 Shift 为 alpha、beta、gamma。松开即停止运动。</translation>
     </message>
     <message>
         <source>Jog -%1</source>
@@ -1023,12 +1126,12 @@ FSI：以小步沿支腿路径跟踪
         <translation>%1 将为 %2，超出允许的 ±%3</translation>
     </message>
     <message>
-        <source>Leg %1 would move at %2 mm/s, faster than its %3 mm/s</source>
-        <translation>支腿 %1 速度将为 %2 mm/s，超过其 %3 mm/s</translation>
+        <source>Leg %1 would move at %2 mm/s, above its limit of %3 mm/s</source>
+        <translation>支腿 %1 速度将为 %2 mm/s，超过其限值 %3 mm/s</translation>
     </message>
     <message>
-        <source>Leg %1 would accelerate by %2 mm/s², more than its %3 mm/s²</source>
-        <translation>支腿 %1 加速度将为 %2 mm/s²，超过其 %3 mm/s²</translation>
+        <source>Leg %1 would accelerate by %2 mm/s², above its limit of %3 mm/s²</source>
+        <translation>支腿 %1 加速度将为 %2 mm/s²，超过其限值 %3 mm/s²</translation>
     </message>
     <message>
         <source>The path comes too close to a singular pose</source>
@@ -1090,8 +1193,8 @@ FSI：以小步沿支腿路径跟踪
         <translation>工作空间</translation>
     </message>
     <message>
-        <source>Joint: each leg on a straight path in its length. Workspace: the platform on a straight path, the loop closed on its measured pose. Changing it moves nothing.</source>
-        <translation>关节空间：各支腿长度按直线变化。工作空间：平台沿直线路径运动，以实测位姿闭环。切换模式不会产生运动。</translation>
+        <source>Joint: each leg changes its length steadily. Workspace: the platform moves in a straight line, corrected by its measured pose. Changing it moves nothing.</source>
+        <translation>关节空间：各支腿长度平稳变化。工作空间：平台沿直线运动，以实测位姿校正。切换模式不会产生运动。</translation>
     </message>
     <message>
         <source>Motion pages</source>
@@ -1172,7 +1275,7 @@ FSI：以小步沿支腿路径跟踪
         <translation>未输完</translation>
     </message>
     <message>
-        <source>a blank inside</source>
+        <source>contains a space</source>
         <translation>中间有空格</translation>
     </message>
     <message>
@@ -1354,8 +1457,8 @@ FSI：以小步沿支腿路径跟踪
         <translation>支腿 %1 偏离路径 %2 mm，且运动没有进展</translation>
     </message>
     <message>
-        <source>%1: not done in time</source>
-        <translation>%1：未及时完成</translation>
+        <source>%1 did not finish in time</source>
+        <translation>%1未及时完成</translation>
     </message>
     <message>
         <source>%1: not answered</source>
@@ -1417,8 +1520,8 @@ FSI：以小步沿支腿路径跟踪
         <translation>位姿</translation>
     </message>
     <message>
-        <source>target</source>
-        <translation>目标</translation>
+        <source>path</source>
+        <translation>路径</translation>
     </message>
     <message>
         <source>measured</source>
@@ -1470,6 +1573,14 @@ FSI：以小步沿支腿路径跟踪
     <message>
         <source>Problems: none</source>
         <translation>问题：无</translation>
+    </message>
+    <message>
+        <source>Problems: %1</source>
+        <translation>问题：%1</translation>
+    </message>
+    <message>
+        <source>%1 rows left out, %2 cells missing</source>
+        <translation>略去 %1 行，缺失 %2 个单元格</translation>
     </message>
     <message>
         <source>Problems</source>
@@ -1530,14 +1641,6 @@ FSI：以小步沿支腿路径跟踪
     <message>
         <source>line %1</source>
         <translation>第 %1 行</translation>
-    </message>
-    <message>
-        <source>Problems: %1</source>
-        <translation>问题：%1</translation>
-    </message>
-    <message>
-        <source>%1 rows left out, %2 cells missing</source>
-        <translation>略去 %1 行，缺失 %2 个单元格</translation>
     </message>
 </context>
 <context>
@@ -2015,7 +2118,7 @@ FSI：以小步沿支腿路径跟踪
         <translation>超出模型范围</translation>
     </message>
     <message>
-        <source>Pose of another assembly</source>
+        <source>Pose of another assembly mode</source>
         <translation>属于另一装配构型的位姿</translation>
     </message>
     <message>
@@ -2132,6 +2235,14 @@ FSI：以小步沿支腿路径跟踪
     <message>
         <source>Target %1: %2</source>
         <translation>目标 %1：%2</translation>
+    </message>
+    <message>
+        <source>Cannot run: no valid measurement received</source>
+        <translation>无法运行：没有收到有效的测量值</translation>
+    </message>
+    <message>
+        <source>Checking the target</source>
+        <translation>正在检查目标</translation>
     </message>
 </context>
 <context>
@@ -2414,7 +2525,7 @@ Esc：取消光标
         <translation>保存路径点</translation>
     </message>
     <message>
-        <source>As CSV, of the same columns</source>
+        <source>As CSV with the same columns</source>
         <translation>存为 CSV，列相同</translation>
     </message>
     <message>
@@ -2528,6 +2639,14 @@ Esc：取消光标
     <message>
         <source>A field of the target is refused</source>
         <translation>目标中有一项未被接受</translation>
+    </message>
+    <message>
+        <source>Checking the list; Stop ends it</source>
+        <translation>正在检查列表；按“停止”可结束</translation>
+    </message>
+    <message>
+        <source>The platform is not ready any more. Nothing moved.</source>
+        <translation>平台已不再就绪。未产生运动。</translation>
     </message>
 </context>
 <context>

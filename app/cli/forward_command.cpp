@@ -46,7 +46,7 @@ void appendRow(std::string& out, const ForwardResult& result) {
 
 /// How far the exact pose can be, and what the resolution of the lengths does. Empty where nothing can be
 /// said.
-void appendDetails(std::string& out, const PlatformGeometry& platform, const ForwardResult& result,
+void appendDetails(std::string& out, const PlatformModel& platform, const ForwardResult& result,
                    double resolution) {
     if (!result.hasPose()) {
         out.append(kDetailCount, ',');
@@ -60,7 +60,7 @@ void appendDetails(std::string& out, const PlatformGeometry& platform, const For
     append(accuracy.angleBound, degText(accuracy.angleBound));
     append(accuracy.condition, formatNumber(accuracy.condition));
     append(accuracy.smallestSingularValue, formatNumber(accuracy.smallestSingularValue));
-    const PoseVector sigma = roundingEffect(platform, result.pose, resolution).sigma;
+    const PoseVector sigma = roundingEffect(platform.geometry(), result.pose, resolution).sigma;
     for (int k = 0; k < 6; ++k)
         append(sigma[k], k < 3 ? mmText(sigma[k]) : degText(sigma[k]));
 }
@@ -122,6 +122,7 @@ int forwardCommand(const QStringList& words) {
     const NumberRows rows(table, kLengthColumns);
     const ChosenSolver chosen = chooseSolver(arguments, platform, SingularHome::Allowed);
     const PathFallback* fallback = chosen.fallback();
+    const PlatformModel model(platform);
 
     bool allOk = true;
     std::string out = kColumns;
@@ -141,7 +142,7 @@ int forwardCommand(const QStringList& words) {
         allOk = allOk && result.isUsable();
         appendRow(out, result);
         if (details) {
-            appendDetails(out, platform, result, resolution);
+            appendDetails(out, model, result, resolution);
             appendFallback(out, answer);
         }
         out += "\n";

@@ -13,6 +13,7 @@
 #include "core/base/number_text.h"
 #include "core/base/units.h"
 #include "core/machine/control_options.h"
+#include "core/record/event_codec.h"
 #include "core/record/log_metadata.h"
 #include "core/record/motion_check_words.h"
 #include "core/record/pose_list.h"
@@ -104,9 +105,8 @@ ConnectionSpec connectionOf(const std::string& port, int baud) {
 
 /// What follows from an end of this kind.
 std::string remedyOf(const VisitFailure& failure) {
-    const bool down = failure.state == RunState::Stopped || failure.state == RunState::Fault;
     const bool refused = failure.event && failure.event->code == EventCode::CommandRefused;
-    return refused && down ? "; --clear leaves it first" : "";
+    return refused && isDown(failure.state) ? "; --clear leaves it first" : "";
 }
 
 /// "z,5,0.1,2,20": 5 mm along z, from 0.1 to 2 Hz in 20 s.
@@ -179,8 +179,8 @@ int runCommand(const QStringList& words) {
     const std::vector<Pose> targets = sweep ? std::vector<Pose>{Pose{}} : readPoseList(targetsFile);
     ControlOptions control;
     control.envelope = arguments.envelope();
-    requireReachable(MotionPlanner(makeModel(platform), plannerSettings(control, platform)), targets,
-                     targetsFile);
+    const SharedModel model = makeModel(platform);
+    requireReachable(MotionPlanner(model, plannerSettings(control, platform)), targets, targetsFile);
     const ChosenSolver chosen = chooseSolver(arguments, platform);
     if (arguments.has("report"))
         checkReport(arguments.requiredText("report"), logFile);
@@ -192,7 +192,7 @@ int runCommand(const QStringList& words) {
     const ConnectionSpec connection = connectionOf(port, baud);
 
     SessionSetup setup;
-    setup.geometry = platform;
+    setup.model = model;
     setup.solver = chosen.solver;
     setup.modelFingerprint = chosen.modelFingerprint;
     setup.programVersion = HEXAPOSE_VERSION;
@@ -204,7 +204,7 @@ int runCommand(const QStringList& words) {
         reportDirectory->keep();
     VisitJob::Options options;
     options.mode = *mode;
-    options.speed = percent / 100.0;
+    options.speedOverride = percent / 100.0;
     options.sweep = sweep;
     options.clearFirst = arguments.has("clear");
     VisitJob job(targets, options);
@@ -215,9 +215,10 @@ int runCommand(const QStringList& words) {
     std::fwrite(table.data(), 1, table.size(), stdout);
     if (arguments.has("report") && !job.samples().empty())
         exportErrorReport(report, arguments.requiredText("report"));
-    const std::optional<std::string> logFailure = session.logFailure();
+    const std::optional<LogFailure> logFailure = session.logFailure();
     if (logFailure)
-        std::fprintf(stderr, "hexapose-cli: %s: %s\n", logFile.c_str(), logFailure->c_str());
+        std::fprintf(stderr, "hexapose-cli: %s: %s\n", logFile.c_str(),
+                     payloadWords({EventCode::LogFailed, *logFailure}).c_str());
     std::string failure = failureWords(job);
     if (job.failure())
         failure += remedyOf(*job.failure());

@@ -36,10 +36,10 @@ QStringList serialPortPaths() {
 } // namespace
 
 Console::Console(QApplication& application, const ConsoleOptions& options)
-    : m_application(application), m_options(options), m_geometry(options.geometry) {
+    : m_application(application), m_options(options), m_platform(makeModel(options.geometry)) {
     QSettings settings;
     chooseLook(settings);
-    m_window = std::make_unique<OperatorWindow>(m_geometry, serialPortPaths);
+    m_window = std::make_unique<OperatorWindow>(m_platform, serialPortPaths);
     m_window->setWindowIcon(QIcon(QStringLiteral(":/icons/hexapose.svg")));
     m_window->setColors(themeColors(m_theme));
     if (m_options.connection) {
@@ -64,7 +64,7 @@ Console::Console(QApplication& application, const ConsoleOptions& options)
     loadPoses(named, settings);
     connect(&named, &NamedPoses::changed, this, [this, &named] {
         QSettings kept;
-        saveNamedPoses(kept, m_geometry.fingerprint(), named.poses());
+        saveNamedPoses(kept, m_platform->fingerprint(), named.poses());
     });
     connect(&m_window->banner(), &Banner::cancelRequested, this, [this] { m_model->cancel(); });
     if (m_options.method.empty()) {
@@ -92,7 +92,7 @@ void Console::chooseLook(QSettings& settings) {
 }
 
 void Console::loadPoses(NamedPoses& named, QSettings& settings) {
-    const LoadedPoses loaded = loadNamedPoses(settings, m_geometry.fingerprint());
+    const LoadedPoses loaded = loadNamedPoses(settings, m_platform->fingerprint());
     named.setPoses(loaded.poses);
     if (loaded.dropped == 0) {
         return;
@@ -116,7 +116,7 @@ void Console::start() {
 /// No other is chosen meanwhile, so that the job before this one is at its end.
 void Console::makeSolver(const std::string& method) {
     m_window->connectionPanel().setSolverPending(true);
-    m_model = std::make_unique<ModelJob>(m_geometry, method, cacheDirectory());
+    m_model = std::make_unique<ModelJob>(m_platform, method, cacheDirectory());
     connect(m_model.get(), &ModelJob::progressed, this,
             [this](double part) { m_window->banner().showTraining(part); });
     connect(m_model.get(), &ModelJob::ready, this, &Console::useSolver);
@@ -139,15 +139,15 @@ void Console::useSolver(const ReadySolver& solver) {
 
 void Console::openSession(const ReadySolver& solver) {
     SessionSetup setup;
-    setup.geometry = m_geometry;
+    setup.model = m_platform;
     setup.solver = solver.solver;
     setup.modelFingerprint = solver.modelFingerprint;
     setup.programVersion = HEXAPOSE_VERSION;
     setup.logDirectory = m_options.logDirectory;
     setup.control.envelope = m_options.envelope;
     m_window->setSession(
-        std::make_unique<Session>(setup, [geometry = m_geometry](const ConnectionSpec& connection) {
-            return makeDevice(connection, geometry);
+        std::make_unique<Session>(setup, [platform = m_platform](const ConnectionSpec& connection) {
+            return makeDevice(connection, platform->geometry());
         }));
     if (m_options.connection) {
         m_window->connectTo(*m_options.connection);

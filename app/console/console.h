@@ -4,7 +4,7 @@
 
 #include "app/console/console_options.h"
 #include "app/console/model_job.h"
-#include "core/geometry/platform_geometry.h"
+#include "core/kinematics/platform_model.h"
 #include "ui/common/language.h"
 #include "ui/console/window/operator_window.h"
 
@@ -44,7 +44,7 @@ private:
 
     QApplication& m_application;
     ConsoleOptions m_options;
-    PlatformGeometry m_geometry;
+    SharedModel m_platform; ///< of window, session and solver
     LanguageSwitch m_language;
     ThemeKind m_theme = ThemeKind::Light;
     std::unique_ptr<OperatorWindow> m_window;

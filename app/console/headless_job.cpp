@@ -78,7 +78,7 @@ int HeadlessJob::write(const QPixmap& picture) {
         std::vector<SettledSample> samples = m_job.samples();
         std::erase_if(samples, [this](const SettledSample& sample) { return isMove(sample); });
         const ErrorReport report =
-            makeErrorReport(m_session->setup().geometry, *m_session->solver(), samples);
+            makeErrorReport(m_session->setup().model->geometry(), *m_session->solver(), samples);
         files = exportErrorReport(report, folder);
         if (!picture.save(QString::fromStdString(pictureFile.string()))) {
             throw InputError(pictureFile.string(), "cannot be written");

@@ -43,7 +43,7 @@ bool hasDisplay() {
 }
 
 /// Qt ends the program when a display is named that cannot be used; say it in one line and with our status.
-void tellMessage(QtMsgType type, const QMessageLogContext& /*context*/, const QString& message) {
+void reportQtMessage(QtMsgType type, const QMessageLogContext& /*context*/, const QString& message) {
     if (type == QtFatalMsg) {
         std::fprintf(stderr, "hexapose: the display cannot be used; --headless works without one\n");
         std::fflush(nullptr);
@@ -76,7 +76,7 @@ int runConsole(const ConsoleOptions& options, const std::vector<Pose>& trial) {
     static char* arguments[] = {name, nullptr};
     int count = 1;
     EndSignals endSignals; // before Qt starts a thread
-    qInstallMessageHandler(tellMessage);
+    qInstallMessageHandler(reportQtMessage);
     QApplication application(count, arguments);
     if (!options.headless) {
         qInstallMessageHandler(nullptr);
@@ -135,9 +135,9 @@ int main(int argc, char* argv[]) {
             return 0;
         }
         checkPort(options);
-        const std::vector<Pose> trial = options.headless
-                                            ? trialPoses(options.geometry, options.envelope, kReportPoses)
-                                            : std::vector<Pose>();
+        const std::vector<Pose> trial =
+            options.headless ? trialPoses(*makeModel(options.geometry), options.envelope, kReportPoses)
+                             : std::vector<Pose>();
         if (options.logDirectory.empty()) {
             options.logDirectory = defaultLogDirectory();
         }

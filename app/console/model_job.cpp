@@ -17,9 +17,9 @@ constexpr int kStepsOfACycle = 400;
 constexpr std::string_view kMethodWithoutModel = "newton";
 } // namespace
 
-ModelJob::ModelJob(const PlatformGeometry& geometry, const std::string& method,
-                   const std::filesystem::path& cache, QObject* parent)
-    : QObject(parent), m_geometry(geometry), m_method(method), m_cache(cache),
+ModelJob::ModelJob(SharedModel platform, const std::string& method, const std::filesystem::path& cache,
+                   QObject* parent)
+    : QObject(parent), m_platform(std::move(platform)), m_method(method), m_cache(cache),
       m_job(QStringLiteral("model training")) {}
 
 void ModelJob::start() {
@@ -38,29 +38,28 @@ void ModelJob::start() {
 std::optional<ReadySolver> ModelJob::make(const Job& job) {
     if (m_method == kFiniteSteps) {
         return ReadySolver{
-            std::make_unique<FiniteStepSolver>(m_geometry, FiniteStepOptions{.steps = kStepsOfACycle}), {}};
+            std::make_unique<FiniteStepSolver>(m_platform, FiniteStepOptions{.steps = kStepsOfACycle}), {}};
     }
     const ForwardMethod* method = findForwardMethod(m_method);
     if (method->modelDegree == 0) {
-        return ReadySolver{makeForwardSolver(*method, m_geometry, nullptr, NewtonOptions{}), {}};
+        return ReadySolver{makeForwardSolver(*method, m_platform, nullptr, NewtonOptions{}), {}};
     }
-    const TrainingSpec spec = defaultTrainingSpec(m_geometry, method->modelDegree);
-    const auto cached = loadOrTrainModel(m_geometry, spec, m_cache, [this, &job](double part) {
+    const TrainingSpec spec = defaultTrainingSpec(m_platform->geometry(), method->modelDegree);
+    const auto cached = loadOrTrainModel(m_platform->geometry(), spec, m_cache, [this, &job](double part) {
         job.deliver([this, part] { emit progressed(part); });
         return !job.isCancelled();
     });
     if (!cached || job.isCancelled()) {
         return std::nullopt;
     }
-    const SharedModel platform = makeModel(m_geometry);
     return ReadySolver{
-        withPathFallback(*method, platform,
-                         makeForwardSolver(*method, platform, &cached->model, NewtonOptions{})),
+        withPathFallback(*method, m_platform,
+                         makeForwardSolver(*method, m_platform, &cached->model, NewtonOptions{})),
         cached->model.fingerprint()};
 }
 
 ReadySolver ModelJob::withoutModel() const {
-    return {makeForwardSolver(*findForwardMethod(kMethodWithoutModel), m_geometry, nullptr, NewtonOptions{}),
+    return {makeForwardSolver(*findForwardMethod(kMethodWithoutModel), m_platform, nullptr, NewtonOptions{}),
             {}};
 }
 

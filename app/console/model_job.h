@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/geometry/platform_geometry.h"
 #include "core/kinematics/forward_solver.h"
+#include "core/kinematics/platform_model.h"
 #include "ui/common/job.h"
 
 #include <QObject>
@@ -27,7 +27,7 @@ class ModelJob final : public QObject {
     Q_OBJECT
 public:
     /// method: its word on the command line, one of those that refine (mpr3-nr, mpr2-nr, newton) or fsi.
-    ModelJob(const PlatformGeometry& geometry, const std::string& method, const std::filesystem::path& cache,
+    ModelJob(SharedModel platform, const std::string& method, const std::filesystem::path& cache,
              QObject* parent = nullptr);
     void start();
     void cancel() { m_job.cancel(); }
@@ -44,7 +44,7 @@ private:
     /// Nothing when it was cancelled.
     std::optional<ReadySolver> make(const Job& job);
 
-    PlatformGeometry m_geometry;
+    SharedModel m_platform;
     std::string m_method;
     std::filesystem::path m_cache;
     Job m_job; ///< last, so that it is waited for first

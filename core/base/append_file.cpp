@@ -18,8 +18,9 @@ AppendFile::AppendFile(const std::filesystem::path& file)
     if (m_descriptor >= 0)
         return;
     if (errno == EEXIST)
-        throw InputError(file.string(), "exists already");
-    throw InputError(file.string(), "cannot be created: " + std::generic_category().message(errno));
+        throw InputError(InputFault{InputFault::Kind::Exists, file.string()});
+    throw InputError(
+        InputFault{InputFault::Kind::NotCreated, file.string(), 0, {std::generic_category().message(errno)}});
 }
 
 AppendFile::~AppendFile() {
@@ -49,7 +50,7 @@ void writeNewFile(const std::filesystem::path& file, std::string_view text) {
         return;
     std::error_code ignored;
     std::filesystem::remove(file, ignored);
-    throw InputError(file.string(), "cannot be written: " + error.message());
+    throw InputError(InputFault{InputFault::Kind::NotWritten, file.string(), 0, {error.message()}});
 }
 
 } // namespace hexapose

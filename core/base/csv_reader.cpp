@@ -38,9 +38,9 @@ CsvReader::CsvReader(std::istream& in, std::string sourceName)
     do {
         ending = readRecord(row);
         if (ending == Ending::Nothing)
-            throw InputError(m_sourceName, "is empty, a header row was expected");
+            throw InputError(InputFault{InputFault::Kind::Empty, m_sourceName});
         if (ending == Ending::InsideQuote)
-            throw InputError(m_sourceName, row.line, "a quote is opened and never closed");
+            throw InputError(InputFault{InputFault::Kind::OpenQuote, m_sourceName, row.line});
     } while (isBlank(row));
     for (const std::string& name : row.fields)
         m_header.push_back(trimmed(name));
@@ -58,7 +58,7 @@ bool CsvReader::next(CsvTable::Row& row) {
         if (!torn)
             return true;
         if (ending == Ending::InsideQuote && m_line != row.line)
-            throw InputError(m_sourceName, row.line, "a quote is opened and never closed");
+            throw InputError(InputFault{InputFault::Kind::OpenQuote, m_sourceName, row.line});
         m_halfWritten = row;
         return false;
     }
@@ -73,7 +73,7 @@ int CsvReader::peek() {
     if (m_position == m_filled) {
         m_in.read(m_buffer.data(), static_cast<std::streamsize>(m_buffer.size()));
         if (m_in.bad())
-            throw InputError(m_sourceName, m_line, "cannot be read further");
+            throw InputError(InputFault{InputFault::Kind::NotReadFurther, m_sourceName, m_line});
         m_filled = static_cast<std::size_t>(m_in.gcount());
         m_position = 0;
         if (m_filled == 0)
@@ -103,7 +103,7 @@ void CsvReader::takeLineEnd() {
 void CsvReader::skipByteOrderMark() {
     const int first = peek();
     if (first == 0xFF || first == 0xFE)
-        throw InputError(m_sourceName, 1, "is not UTF-8 text");
+        throw InputError(InputFault{InputFault::Kind::NotUtf8, m_sourceName, 1});
     if (m_filled >= 3 && first == 0xEF && m_buffer[1] == '\xBB' && m_buffer[2] == '\xBF')
         m_position = 3;
 }
@@ -179,11 +179,12 @@ CsvSource::CsvSource(const std::filesystem::path& file) {
     m_name = file.string();
     std::error_code ignored;
     if (std::filesystem::is_directory(file, ignored))
-        throw InputError(m_name, "is a directory");
+        throw InputError(InputFault{InputFault::Kind::Directory, m_name});
     errno = 0;
     m_file = std::make_unique<std::ifstream>(file, std::ios::binary);
     if (!*m_file)
-        throw InputError(m_name, "cannot be read: " + std::generic_category().message(errno));
+        throw InputError(
+            InputFault{InputFault::Kind::NotRead, m_name, 0, {std::generic_category().message(errno)}});
 }
 
 } // namespace hexapose

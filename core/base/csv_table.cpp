@@ -50,16 +50,17 @@ std::optional<std::size_t> findCsvColumn(const std::vector<std::string>& header,
 
 std::size_t requireCsvColumn(const std::vector<std::string>& header, std::string_view name,
                              const std::string& sourceName) {
-    const std::string column = "column " + std::string(name);
+    using Kind = InputFault::Kind;
+    const std::vector<std::string> column{std::string(name)};
     switch (std::count(header.begin(), header.end(), name)) {
     case 0:
         if (header.size() == 1 && header.front().find_first_of(";\t") != std::string::npos)
-            throw InputError(sourceName, 1, column + " is missing: fields are to be separated by commas");
-        throw InputError(sourceName, 1, column + " is missing");
+            throw InputError(InputFault{Kind::NoCommas, sourceName, 1, column});
+        throw InputError(InputFault{Kind::ColumnMissing, sourceName, 1, column});
     case 1:
         return *findCsvColumn(header, name);
     default:
-        throw InputError(sourceName, 1, column + " appears twice");
+        throw InputError(InputFault{Kind::ColumnTwice, sourceName, 1, column});
     }
 }
 

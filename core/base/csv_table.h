@@ -14,7 +14,7 @@ namespace hexapose {
 /// A CSV with a header row (RFC 4180 quoting, LF or CRLF, a UTF-8 byte order mark allowed; blank lines
 /// skipped; blanks around a column's name do not count). A last line without its line end that has too few
 /// fields, or ends inside a quote, counts as half-written and is left out with a warning. Elsewhere a row
-/// with another number of fields than the header is kept as it is: the caller judges.
+/// with another number of fields than the header is kept as it is: the caller decides.
 struct CsvTable {
     struct Row {
         long line; ///< 1-based line in the file

@@ -23,11 +23,14 @@ struct SetPoints {
     DeviceRequest request = DeviceRequest::None;
 };
 
-/// What came back. lengths is set only when a new measurement arrived with this read.
+/// What came back. A device sets `lengths` and `receivedAt` together, only when a new measurement arrived
+/// with this read, and empties `notices` at the beginning of each.
 struct DeviceFeedback {
-    std::optional<LegLengths> lengths;                  ///< measured, m
-    std::chrono::steady_clock::time_point receivedAt{}; ///< of the last measurement ever
-    std::chrono::microseconds controllerTime{0};        ///< the controller's clock at that measurement
+    std::optional<LegLengths> lengths; ///< measured, m
+    /// Of the last measurement ever. Where it is not set the loop takes every measurement for stale, and
+    /// nothing moves.
+    std::chrono::steady_clock::time_point receivedAt{};
+    std::chrono::microseconds controllerTime{0}; ///< the controller's clock at that measurement
     LinkState link = LinkState::Connecting;
     ControllerState state = ControllerState::Unknown; ///< as of the last measurement
     bool protectedLink = false;                       ///< lengths came in checked frames
@@ -38,7 +41,7 @@ struct DeviceFeedback {
     std::optional<double> maxLength;
     std::string controllerName;
     LinkCounters counters;
-    std::vector<DeviceNotice> notices; ///< since the last read; empty in an ordinary cycle
+    std::vector<DeviceNotice> notices; ///< since the last read; what stays here is reported again
 };
 
 /// A platform's controller. One thread owns it and calls read() and write() in turn; neither throws for what

@@ -18,7 +18,8 @@ struct PathFallbackOptions {
     /// it goes, which is q = 1 / sqrt(steps).
     int steps = 1000;
     double tolerance = 0.0; ///< Euclidean norm of the leg errors, m; 0: that of NewtonRaphson
-    /// Also where the solver ran out of iterations. Not for who set that limit, and wants to see it.
+    /// Also where the solver ran out of iterations. Off for a caller that set that limit and wants to see it
+    /// reached.
     bool afterIterationLimit = true;
 };
 

@@ -24,9 +24,9 @@ namespace hexapose {
 /// is P from home (m) and the rotation R_BP (rad).
 class PlatformModel {
 public:
-    /// geometry: one that validate() accepts; of another the numbers are not to be relied on. Implicit, so
-    /// that who asks once needs not know of the model; it costs some microseconds.
-    PlatformModel(const PlatformGeometry& geometry); // NOLINT(google-explicit-constructor)
+    /// geometry: one that validate() accepts; of another the numbers are not to be relied on. Costs some
+    /// microseconds, as much as a dozen questions to it: it is made once and shared, and never in passing.
+    explicit PlatformModel(const PlatformGeometry& geometry);
 
     const PlatformGeometry& geometry() const noexcept { return m_geometry; }
     /// The machine's own size, m: the mean leg length at home. Tolerances scale with it.

@@ -25,7 +25,7 @@ inline constexpr double kSingularValueFloor = 1e-4;
 /// From the scaled Jacobian. Where that is not finite: zeros, and an infinite condition. Takes 0.5 us.
 SingularityMeasure singularityOf(const Eigen::Matrix<double, 6, 6>& scaledJacobian) noexcept;
 
-/// At a finite pose. Builds a PlatformModel to ask it: who asks more than once keeps one.
+/// At a finite pose. Builds a PlatformModel for it: callers that need it more than once keep one.
 SingularityMeasure singularityMeasure(const PlatformGeometry& geometry, const Pose& pose);
 
 /// Its determinant alone: without pivots, and so without branches.

@@ -19,8 +19,14 @@ struct RunCommand {
     Pose target; ///< of P from home, base frame
     MotionMode mode = MotionMode::Joint;
     MotionId id = kNoMotion; ///< the asker's, so that it knows its own motion again in the snapshots
-    /// Planned already for this request; used if the start and the limits are still those of the plan.
-    std::shared_ptr<const PlannedMotion> plan = {};
+    /// Planned already by who asks, with the model of the session: a screen that has planned the request to
+    /// say whether it can be carried out sends what came of it, and the request is planned once. The loop
+    /// takes the plan if it is of this target and mode, was made with the loop's own bounds, and its start
+    /// and limits are those of now, and checks start and limits again when the motion begins. Otherwise, and
+    /// where no plan came, its planner makes one beside the cycle. Left empty by whoever does not plan or
+    /// does not know the start: a jog's step, the report's list, VisitJob (whose targets are planned at their
+    /// begin, each from where the one before ended), a program of its own.
+    SharedPlan plan = {};
 };
 /// A sine sweep about the pose where the platform is, in workspace mode.
 struct SweepCommand {
@@ -28,7 +34,8 @@ struct SweepCommand {
     MotionId id = kNoMotion;
 };
 /// A jog button is held: repeated at least every 150 ms, or the jog comes to rest. All repeats of one press
-/// carry its id: a press whose jog has ended starts no other.
+/// carry its id: a press that was released, that was not repeated in time, or whose jog has ended otherwise
+/// starts nothing more. Without an id a repeat after the end is a new press.
 struct JogCommand {
     JogDirection direction;
     double speedOverride = 1.0; ///< 0..1 of full speed

@@ -25,10 +25,10 @@ std::unique_ptr<Planner> orThread(std::unique_ptr<Planner> planner, const Shared
 } // namespace
 
 struct ControlLoop::Impl {
-    Impl(PlatformDevice& device, const PlatformGeometry& theGeometry, const ForwardSolver& solver,
+    Impl(PlatformDevice& device, SharedModel theModel, const ForwardSolver& solver,
          const ControlOptions& theOptions, Sink theSink, std::function<Clock::time_point()> theNow,
          std::unique_ptr<Planner> thePlanner)
-        : model(makeModel(theGeometry)), options(withDefaults(theOptions, theGeometry)),
+        : model(std::move(theModel)), options(withDefaults(theOptions, model->geometry())),
           sink(std::move(theSink)), now(std::move(theNow)), sessionStart(now()),
           planner(orThread(std::move(thePlanner), model)), link(device, options.staleAfter),
           estimate(model, solver), motion(model, options, *planner),
@@ -123,11 +123,11 @@ Snapshot ControlLoop::Impl::snapshot() {
     return s;
 }
 
-ControlLoop::ControlLoop(PlatformDevice& device, const PlatformGeometry& geometry,
-                         const ForwardSolver& solver, const ControlOptions& options, Sink sink,
-                         std::function<Clock::time_point()> now, std::unique_ptr<Planner> planner)
-    : m_impl(std::make_unique<Impl>(device, geometry, solver, options, std::move(sink), std::move(now),
-                                    std::move(planner))) {}
+ControlLoop::ControlLoop(PlatformDevice& device, SharedModel model, const ForwardSolver& solver,
+                         const ControlOptions& options, Sink sink, std::function<Clock::time_point()> now,
+                         std::unique_ptr<Planner> planner)
+    : m_impl(std::make_unique<Impl>(device, std::move(model), solver, options, std::move(sink),
+                                    std::move(now), std::move(planner))) {}
 
 ControlLoop::~ControlLoop() = default;
 

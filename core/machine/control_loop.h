@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/device/platform_device.h"
-#include "core/geometry/platform_geometry.h"
 #include "core/kinematics/forward_solver.h"
+#include "core/kinematics/platform_model.h"
 #include "core/machine/command.h"
 #include "core/machine/control_options.h"
 #include "core/machine/cycle_observer.h"
@@ -17,6 +16,8 @@
 
 namespace hexapose {
 
+class PlatformDevice;
+
 /// The control loop. One cycle is: read -> estimate -> supervise (the controller's notices, the operator's
 /// commands, the watch) -> generate -> write -> publish a Snapshot. So a stop leaves in the cycle in which
 /// its cause was measured. One thread owns the loop and calls cycle(); post() may be called from any thread.
@@ -27,7 +28,7 @@ public:
 
     /// device and solver outlive the loop. sink is called at the end of every cycle, on the owning thread.
     /// planner: a PlanningThread if not given; a loop in simulated time wants an ImmediatePlanner.
-    ControlLoop(PlatformDevice& device, const PlatformGeometry& geometry, const ForwardSolver& solver,
+    ControlLoop(PlatformDevice& device, SharedModel model, const ForwardSolver& solver,
                 const ControlOptions& options, Sink sink, std::function<Clock::time_point()> now = Clock::now,
                 std::unique_ptr<Planner> planner = nullptr);
     ~ControlLoop();

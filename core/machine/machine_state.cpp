@@ -99,10 +99,13 @@ Transition transition(const MachineState& state, MachineEvent event) {
     return {state, MachineAction::None, false};
 }
 
-CommandSet allowedCommands(const MachineState& state) {
+CommandSet allowedCommands(const MachineState& state, LinkState link) {
+    const auto passes = [link](Command command) {
+        return link == LinkState::Connected || (command == Command::Stop && link != LinkState::ListenOnly);
+    };
     CommandSet allowed;
     for (const Command command : kCommands)
-        if (transition(state, eventOf(command)).defined)
+        if (passes(command) && transition(state, eventOf(command)).defined)
             allowed.insert(command);
     return allowed;
 }

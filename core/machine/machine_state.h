@@ -4,6 +4,7 @@
 
 #include "core/record/command_set.h"
 #include "core/record/controller_state.h"
+#include "core/record/link_state.h"
 #include "core/record/run_state.h"
 
 #include <array>
@@ -139,7 +140,9 @@ struct Transition {
 /// the table has no row the state stays and nothing is done.
 Transition transition(const MachineState& state, MachineEvent event);
 
-/// The commands that have a row in this state.
-CommandSet allowedCommands(const MachineState& state);
+/// The commands that have a row in this state and are worth asking for over this link: all of them where a
+/// controller accepts commands. Stop counts also before it has identified itself and while the port is gone:
+/// it is sent as soon as it can be. A listen-only sender accepts nothing.
+CommandSet allowedCommands(const MachineState& state, LinkState link = LinkState::Connected);
 
 } // namespace hexapose

@@ -78,8 +78,8 @@ constexpr Row ends(Row row) {
 
 /// The first row that fits counts.
 inline constexpr Row kTable[] = {
-    // Stop wins everywhere. It is sent, and remembered, also where nobody has answered yet; a fault outranks
-    // it.
+    // Stop wins everywhere. It is sent, and remembered, also where nobody has answered yet and while the port
+    // is gone: what comes back is stopped, below. A fault outranks it.
     ends({.events = in(When::Stop),
           .run = kDisconnected | kFault,
           .latchTo = LatchTo::Operator,

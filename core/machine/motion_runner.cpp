@@ -29,13 +29,6 @@ WorkspaceOptions workspaceOptions(const ControlOptions& options) {
     return workspace;
 }
 
-bool isPlanOf(const PlannedMotion& plan, const MotionRequest& request) {
-    const auto* planned = std::get_if<StraightMove>(&plan.request);
-    const auto* asked = std::get_if<StraightMove>(&request);
-    return planned && asked && planned->mode == asked->mode &&
-           planned->target.toVector() == asked->target.toVector();
-}
-
 } // namespace
 
 MotionRunner::MotionRunner(SharedModel model, const ControlOptions& options, Planner& planner)
@@ -68,8 +61,11 @@ void MotionRunner::order(Order order, const Cycle& cycle) {
     m_order = std::move(order);
     m_replansLeft = kReplans;
     const auto& given = m_order->plan;
+    const auto* move = std::get_if<StraightMove>(&m_order->request);
+    // Made as this loop would make it, and still of now; a refusal of somebody else's is not taken over.
     const bool usable =
-        given && isPlanOf(*given, m_order->request) &&
+        given && move && given->isFor(*move) && given->bounds == m_options.bounds &&
+        given->strokeSlack == m_options.settleWindow.distance &&
         checkStart(*given, startOf(cycle), cycle.limits, kStartOfWindow * m_options.settleWindow.distance,
                    kStartOfWindow * m_options.settleWindow.angle)
             .ok();
@@ -135,7 +131,7 @@ void MotionRunner::beginJog(const JogCommand& command, const Cycle& cycle) {
     m_jog = jog.get();
     m_generator = std::move(jog);
     m_mode = MotionMode::Workspace;
-    m_id = command.id;
+    m_id = m_jogId = command.id;
     m_goal.reset();
     m_move.emplace(ControllerState::Enabled,
                    Move::Timing{m_options.settleTime, m_options.settleTimeout, m_options.enableTimeout,
@@ -150,9 +146,16 @@ void MotionRunner::holdJog(const JogCommand& command, Clock::time_point time) {
     m_jog->hold(command.direction, command.speedOverride);
 }
 
+/// The press is over from here on: what is still to come of it must not start the platform again.
 void MotionRunner::releaseJog() {
     if (m_jog)
         m_jog->release();
+    noteJogEnded();
+}
+
+void MotionRunner::noteJogEnded() {
+    if (m_jog && m_jogId != kNoMotion)
+        m_endedJog = m_jogId;
 }
 
 std::optional<Event> MotionRunner::update(const Cycle& cycle) {
@@ -167,15 +170,12 @@ std::optional<Event> MotionRunner::update(const Cycle& cycle) {
 
 void MotionRunner::settle() {
     m_move.reset();
-    if (m_jog)
-        m_endedJog = m_id;
     if (m_generator && m_generator->mode() == MotionMode::Joint)
         m_generator.reset();
 }
 
 void MotionRunner::end() {
-    if (m_jog)
-        m_endedJog = m_id;
+    noteJogEnded();
     m_order.reset();
     m_move.reset();
     m_generator.reset();
@@ -192,7 +192,7 @@ void MotionRunner::tick(Clock::time_point time) {
 std::optional<LegLengths> MotionRunner::nextSetPoint(const Cycle& cycle) {
     if (m_generator) {
         if (m_jog && cycle.time - m_jogHeldAt > m_options.jogHold)
-            m_jog->release();
+            releaseJog();
         MotionGenerator::Cycle step{
             std::chrono::duration<double>(m_step).count(), cycle.held ? 0.0 : m_speed, {}, {}, cycle.limits};
         if (cycle.fresh && cycle.pose) {
@@ -201,7 +201,7 @@ std::optional<LegLengths> MotionRunner::nextSetPoint(const Cycle& cycle) {
         }
         m_setPoint = m_generator->step(step);
     } else if (!m_setPoint && !cycle.stale && cycle.measured) {
-        m_setPoint = holdPoint(cycle); // the controller's watchdog wants to hear us
+        m_setPoint = holdPoint(cycle); // for the controller's watchdog
     }
     return m_setPoint;
 }

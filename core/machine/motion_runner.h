@@ -40,11 +40,12 @@ public:
     struct Order {
         MotionRequest request;
         MotionId id = kNoMotion;
-        std::shared_ptr<const PlannedMotion> plan; ///< given, or made
+        SharedPlan plan; ///< given, or made
     };
     void order(Order order, const Cycle& cycle);
     /// What the planning found; nothing while it goes on.
     std::optional<MotionCheck> plannedCheck();
+    MotionId orderId() const { return m_order ? m_order->id : kNoMotion; }
     void forgetOrder() { m_order.reset(); }
 
     // ---- the motion
@@ -58,8 +59,9 @@ public:
     /// Another repeat of the press that began the present jog.
     void holdJog(const JogCommand& command, Clock::time_point time);
     void releaseJog();
-    bool isJog(MotionId id) const { return m_jog != nullptr && m_id == id; }
-    /// A press whose jog has ended.
+    bool isJog(MotionId id) const { return m_jog != nullptr && m_jogId == id; }
+    /// A press whose jog has ended, or comes to rest because it was released or not repeated in time. Presses
+    /// without an id cannot be told apart.
     bool isEndedJog(MotionId id) const { return id != kNoMotion && id == m_endedJog; }
     /// After each measurement: what happened to the motion.
     std::optional<Event> update(const Cycle& cycle);
@@ -73,7 +75,7 @@ public:
         return m_move ? std::optional(m_move->phase()) : std::nullopt;
     }
     bool preparing() const { return m_move && m_move->preparing(); }
-    DeviceRequest takeRequest() { return m_move ? m_move->takeRequest() : DeviceRequest::None; }
+    DeviceRequest nextRequest() { return m_move ? m_move->nextRequest() : DeviceRequest::None; }
     /// Events of the generator, such as a jog that a limit ended.
     std::optional<Event> takeEvent() { return m_generator ? m_generator->takeEvent() : std::nullopt; }
 
@@ -102,6 +104,7 @@ private:
     PlanStart startOf(const Cycle& cycle) const;
     LegLengths holdPoint(const Cycle& cycle) const;
     void submit(const Cycle& cycle);
+    void noteJogEnded();
 
     SharedModel m_model;
     const ControlOptions m_options;
@@ -113,6 +116,7 @@ private:
     std::unique_ptr<MotionGenerator> m_generator; ///< of the present motion, and of the pose held after it
     JogMotion* m_jog = nullptr;                   ///< the generator, when it is a jog
     Clock::time_point m_jogHeldAt{};
+    MotionId m_jogId = kNoMotion; ///< of the press that began the present or last jog
     MotionId m_endedJog = kNoMotion;
     WorkspaceController m_workspace;
     std::optional<LegLengths> m_setPoint;

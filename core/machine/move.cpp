@@ -30,7 +30,7 @@ void Move::enter(Phase phase, Clock::time_point now) {
         m_request = DeviceRequest::Enable;
 }
 
-DeviceRequest Move::takeRequest() {
+DeviceRequest Move::nextRequest() {
     const DeviceRequest request = m_request;
     m_request = DeviceRequest::None;
     return request;

@@ -30,8 +30,8 @@ public:
     Move(ControllerState controller, const Timing& timing, Clock::time_point begun);
 
     /// The request that is due now (once each), None otherwise.
-    DeviceRequest takeRequest();
-    /// In phase Ready the caller judges the path once more and begins it, or drops the move.
+    DeviceRequest nextRequest();
+    /// In phase Ready the caller checks the path once more and begins it, or drops the move.
     void begin(Clock::time_point now);
     /// After each exchange. finished: the set-points are at the end. inside: the platform is inside the
     /// window about the end; nothing without a fresh measurement. Events: Referenced, Enabled, Settled,

@@ -11,7 +11,7 @@ namespace hexapose {
 
 namespace {
 
-std::shared_ptr<const PlannedMotion> planOf(const PlatformModel& model, const PlanJob& job) {
+SharedPlan planOf(const PlatformModel& model, const PlanJob& job) {
     return std::make_shared<const PlannedMotion>(
         planMotion(model, job.bounds, job.limits, job.strokeSlack, job.start, job.request));
 }
@@ -22,7 +22,7 @@ void ImmediatePlanner::submit(const PlanJob& job) {
     m_plan = planOf(*m_model, job);
 }
 
-std::shared_ptr<const PlannedMotion> ImmediatePlanner::take() {
+SharedPlan ImmediatePlanner::take() {
     return std::exchange(m_plan, nullptr);
 }
 
@@ -38,7 +38,7 @@ void PlanningThread::submit(const PlanJob& job) {
     m_changed.notify_one();
 }
 
-std::shared_ptr<const PlannedMotion> PlanningThread::take() {
+SharedPlan PlanningThread::take() {
     const std::lock_guard lock(m_mutex);
     return std::exchange(m_plan, nullptr);
 }
@@ -49,7 +49,7 @@ void PlanningThread::run(const std::stop_token& stop) {
     while (m_changed.wait(lock, stop, [this] { return m_job.has_value(); })) {
         const PlanJob job = *std::exchange(m_job, std::nullopt);
         lock.unlock();
-        std::shared_ptr<const PlannedMotion> plan = planOf(*m_model, job);
+        SharedPlan plan = planOf(*m_model, job);
         lock.lock();
         if (!m_job) // else a newer job has replaced this one
             m_plan = std::move(plan);

@@ -9,6 +9,7 @@
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <utility>
 
 namespace hexapose {
 
@@ -28,19 +29,19 @@ public:
     /// A job that is still being worked on is forgotten.
     virtual void submit(const PlanJob& job) = 0;
     /// The plan of the last job, once; null while it is not there.
-    virtual std::shared_ptr<const PlannedMotion> take() = 0;
+    virtual SharedPlan take() = 0;
 };
 
 /// Plans at once, on the caller's thread: for a loop in a time of its own, which waits for nobody.
 class ImmediatePlanner final : public Planner {
 public:
-    explicit ImmediatePlanner(const PlatformGeometry& geometry) : m_model(makeModel(geometry)) {}
+    explicit ImmediatePlanner(SharedModel model) : m_model(std::move(model)) {}
     void submit(const PlanJob& job) override;
-    std::shared_ptr<const PlannedMotion> take() override;
+    SharedPlan take() override;
 
 private:
     SharedModel m_model;
-    std::shared_ptr<const PlannedMotion> m_plan;
+    SharedPlan m_plan;
 };
 
 /// Plans on a thread of its own.
@@ -48,7 +49,7 @@ class PlanningThread final : public Planner {
 public:
     explicit PlanningThread(SharedModel model);
     void submit(const PlanJob& job) override;
-    std::shared_ptr<const PlannedMotion> take() override;
+    SharedPlan take() override;
 
 private:
     void run(const std::stop_token& stop);
@@ -57,7 +58,7 @@ private:
     std::mutex m_mutex;
     std::condition_variable_any m_changed;
     std::optional<PlanJob> m_job;
-    std::shared_ptr<const PlannedMotion> m_plan;
+    SharedPlan m_plan;
     std::jthread m_thread; ///< last: it ends first
 };
 

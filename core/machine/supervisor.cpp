@@ -36,20 +36,11 @@ RunState Supervisor::state() const {
 }
 
 CommandSet Supervisor::allowed() const {
-    switch (m_link.feedback().link) {
-    case LinkState::Connected:
-        return allowedCommands(m_machine);
-    case LinkState::Connecting:
-        return {Command::Stop};
-    case LinkState::ListenOnly:
-    case LinkState::Lost:
-        break;
-    }
-    return {};
+    return allowedCommands(m_machine, m_link.feedback().link);
 }
 
 bool Supervisor::mayCommand(Command command) const {
-    return m_link.acceptsCommands() && transition(m_machine, eventOf(command)).defined;
+    return allowed().contains(command);
 }
 
 bool Supervisor::apply(MachineEvent event) {
@@ -136,13 +127,17 @@ std::optional<MotionInhibit> Supervisor::motionInhibit() const {
 std::optional<Event> Supervisor::nearLimit() const {
     const double margin = kMeasuredMargin * limits().singularityMargin;
     const double smallest = m_estimate.singularity().smallestSingularValue;
-    if (smallest >= margin && m_estimate.determinantRatio() > 0.0)
-        return std::nullopt;
+    const double q = m_estimate.determinantRatio();
     MotionCheck check;
-    check.reason = MotionCheck::Reason::NearSingular;
-    check.value = smallest;
-    check.bound = margin;
-    return Event{EventCode::StoppedOnLimits, check};
+    if (!(smallest >= margin)) {
+        check.reason = MotionCheck::Reason::NearSingular;
+        check.value = smallest;
+        check.bound = margin;
+    } else if (!(q > 0.0)) {
+        check.reason = MotionCheck::Reason::WrongSideOfSingularity;
+        check.value = q;
+    }
+    return check.ok() ? std::nullopt : std::optional(Event{EventCode::StoppedOnLimits, check});
 }
 
 /// While something moves, or a pose is held by what is measured, every measurement must be good.
@@ -207,12 +202,13 @@ void Supervisor::followPlan() {
             raise({EventCode::Referencing});
         return;
     }
+    const MotionId id = m_motion.orderId();
     m_motion.forgetOrder();
     apply(MachineEvent::PlanRefused);
     if (!check->ok())
         raise({EventCode::MoveRefused, *check});
     else
-        refuse(Command::Run);
+        refuse(Command::Run, id);
 }
 
 /// The drives are on. Referencing may have moved the legs: the plan has to fit where they are now.
@@ -235,12 +231,10 @@ SetPoints Supervisor::output() {
     if (!m_motion.setPoint())
         m_following.reset();
     if (m_requests.empty() && m_motion.active())
-        m_requests.ask(m_motion.takeRequest());
+        m_requests.ask(m_motion.nextRequest());
     out.request = m_requests.takeNext();
-    const bool on = m_machine.run == RunState::Enabled || m_machine.run == RunState::Moving ||
-                    m_machine.run == RunState::Settling;
-    if (out.request == DeviceRequest::Stop || !on || !m_machine.hasControl || !m_link.acceptsCommands() ||
-        m_link.state() != ControllerState::Enabled)
+    if (out.request == DeviceRequest::Stop || !drivesAreOn(m_machine.run) || !m_machine.hasControl ||
+        !m_link.acceptsCommands() || m_link.state() != ControllerState::Enabled)
         return out;
     const std::optional<LegLengths> setPoint = m_motion.nextSetPoint(cycle());
     if (!setPoint)

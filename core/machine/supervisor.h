@@ -54,7 +54,7 @@ private:
     bool apply(MachineEvent event);
     void execute(MachineAction action);
     bool mayCommand(Command command) const;
-    void refuse(Command command);
+    void refuse(Command command, MotionId id = kNoMotion);
     /// Ends whatever moves, and stops and disables the controller; it stays stopped until Clear.
     void stop(Event cause);
     void stopSilently();

@@ -17,8 +17,8 @@ void Supervisor::processCommands(const std::vector<OperatorCommand>& commands) {
         std::visit([&](const auto& c) { on(c); }, command);
 }
 
-void Supervisor::refuse(Command command) {
-    raise({EventCode::CommandRefused, CommandRefusal{command, state()}});
+void Supervisor::refuse(Command command, MotionId id) {
+    raise({EventCode::CommandRefused, CommandRefusal{command, state(), allowed(), id}});
 }
 
 /// A command that is one row of the table. Refused, it changes nothing.
@@ -30,7 +30,7 @@ void Supervisor::obey(Command command) {
 
 void Supervisor::order(MotionRunner::Order order) {
     if (!mayCommand(Command::Run))
-        return refuse(Command::Run);
+        return refuse(Command::Run, order.id);
     if (const auto inhibit = motionInhibit())
         return raise({EventCode::MoveRefused, *inhibit});
     m_order = std::move(order);
@@ -57,12 +57,12 @@ void Supervisor::on(const JogCommand& command) {
         check.reason = MotionCheck::Reason::NotFinite;
         return raise({EventCode::MoveRefused, check});
     }
+    if (m_motion.isEndedJog(command.id))
+        return; // its button is still down, or the repeat comes late
     if (m_machine.run == RunState::Moving && m_motion.isJog(command.id))
         return m_motion.holdJog(command, m_time);
-    if (m_motion.isEndedJog(command.id))
-        return; // its button is still down
     if (!mayCommand(Command::Jog))
-        return refuse(Command::Jog);
+        return refuse(Command::Jog, command.id);
     if (const auto inhibit = motionInhibit())
         return raise({EventCode::MoveRefused, *inhibit});
     m_jogCommand = command;
@@ -88,7 +88,7 @@ void Supervisor::on(const ResumeCommand&) {
 }
 
 void Supervisor::on(const StopCommand&) {
-    if (!allowed().contains(Command::Stop))
+    if (!mayCommand(Command::Stop))
         return refuse(Command::Stop);
     raise({EventCode::StopRequested});
     m_unresolvedStop.reset();
@@ -109,7 +109,7 @@ void Supervisor::on(const EnableCommand&) {
 void Supervisor::on(const DisableCommand&) {
     if (!mayCommand(Command::Disable))
         return refuse(Command::Disable);
-    if (m_machine.run == RunState::Moving || m_machine.run == RunState::Settling)
+    if (isInMotion(m_machine.run))
         raise({EventCode::StopRequested, Command::Disable});
     apply(MachineEvent::Disable);
 }

@@ -57,7 +57,7 @@ void Supervisor::reportStateChange(const ControllerLink::StateReport& report, co
                                    bool wasActive) {
     if (was.owesStop && !m_machine.owesStop)
         return raise({EventCode::StoppedAfterLoss});
-    const bool wasDown = was.run == RunState::Stopped || was.run == RunState::Fault;
+    const bool wasDown = isDown(was.run);
     // A controller may answer a stop without a state for it; Clear ends that stop too.
     if (wasDown && (m_machine.run == RunState::Disabled || m_machine.run == RunState::Unreferenced))
         return raise({EventCode::Cleared});
@@ -69,7 +69,8 @@ void Supervisor::reportStateChange(const ControllerLink::StateReport& report, co
     if (wentDown && !asked && was.run != RunState::Stopped &&
         (wasActive || report.before == ControllerState::Enabled))
         raise({EventCode::StoppedByController, report.after});
-    if (wasActive || wasDown)
+    // What comes back behind the operator's stop is stopped again: its own state is no news.
+    if (wasActive || wasDown || isDown(m_machine.run))
         return;
     if (report.after == ControllerState::Enabled)
         raise({EventCode::Enabled});
@@ -162,7 +163,7 @@ void Supervisor::on(const notice::Refused& notice) {
 }
 
 void Supervisor::onSetPointRefused(const DeviceRefusal& refusal) {
-    if (m_machine.run == RunState::Moving || m_machine.run == RunState::Settling) {
+    if (isInMotion(m_machine.run)) {
         if (refusal.reason != RefusalReason::State)
             return stop({EventCode::StoppedOnRefusal, refusal});
         // The drives went down on their own; the measurement that says so comes a moment later.

@@ -73,6 +73,11 @@ Pose PlannedMotion::endPose() const {
     return move ? move->target : start.pose;
 }
 
+bool PlannedMotion::isFor(const StraightMove& move) const {
+    const auto* planned = std::get_if<StraightMove>(&request);
+    return planned && planned->mode == move.mode && planned->target.toVector() == move.target.toVector();
+}
+
 PlannedMotion planMotion(const PlatformModel& model, const MotionBounds& bounds, const MotionLimits& limits,
                          double strokeSlack, const PlanStart& start, const MotionRequest& request,
                          const PlanBudget& budget) {
@@ -80,6 +85,8 @@ PlannedMotion planMotion(const PlatformModel& model, const MotionBounds& bounds,
     planned.request = request;
     planned.start = start;
     planned.limits = limits;
+    planned.bounds = bounds;
+    planned.strokeSlack = strokeSlack;
     const auto* move = std::get_if<StraightMove>(&request);
     const auto* sweep = std::get_if<SweepSettings>(&request);
     if (move) { // a target that cannot be is not worth a plan

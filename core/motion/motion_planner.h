@@ -37,6 +37,8 @@ struct PlannedMotion {
     MotionRequest request;
     PlanStart start;
     MotionLimits limits;
+    MotionBounds bounds;
+    double strokeSlack = 0.0;                   ///< m, see planMotion()
     std::shared_ptr<const PoseMotion> motion;   ///< workspace mode; null in joint mode
     LegLengths endLengths = LegLengths::Zero(); ///< at the pose where the motion ends, m
     double duration = 0.0;                      ///< at full speed, s
@@ -44,7 +46,12 @@ struct PlannedMotion {
     MotionMode mode() const;
     /// The target, or the centre of a sweep.
     Pose endPose() const;
+    /// Whether it was asked to go to this pose, in this mode.
+    bool isFor(const StraightMove& move) const;
 };
+
+/// How a plan travels.
+using SharedPlan = std::shared_ptr<const PlannedMotion>;
 
 /// Plans and checks a motion. strokeSlack: a leg that starts beyond an end of its stroke by no more than this
 /// may be there, m. A plan that takes longer than the budget is refused with PlanTooLong and the fraction of
@@ -61,8 +68,8 @@ MotionCheck checkStart(const PlannedMotion& planned, const PlanStart& now, const
                        double distance, double angle);
 
 /// Plans and checks the motions of one machine under the limits in force: those of the platform and of the
-/// operator, narrowed by the controller's. Who asks beforehand (a screen, a command line) is answered as the
-/// loop will answer.
+/// operator, narrowed by the controller's. A screen or a command line that asks beforehand gets the answer
+/// that the loop will give.
 class MotionPlanner {
 public:
     struct Settings {
@@ -77,6 +84,7 @@ public:
     void setControllerLimits(std::optional<double> minLength, std::optional<double> maxLength);
 
     const PlatformModel& model() const { return *m_model; }
+    const SharedModel& sharedModel() const { return m_model; }
     const Settings& settings() const { return m_settings; }
     const MotionLimits& limits() const { return m_limits; }
     /// Of a motion that begins at this pose.

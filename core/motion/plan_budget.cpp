@@ -23,7 +23,7 @@ PlanTimer::PlanTimer(const PlanBudget& budget) : m_budget(budget), m_end(budget.
 
 bool PlanTimer::expired() {
     if (!m_expired && ++m_asked % kAskedPerReading == 0)
-        m_expired = m_budget.now() > m_end;
+        m_expired = m_budget.now() > m_end || (m_budget.isCancelled && m_budget.isCancelled());
     return m_expired;
 }
 

@@ -15,6 +15,7 @@ std::chrono::nanoseconds threadProcessorTime();
 struct PlanBudget {
     std::chrono::nanoseconds time = std::chrono::milliseconds(50);
     std::function<std::chrono::nanoseconds()> now = &threadProcessorTime;
+    std::function<bool()> isCancelled = {}; ///< ends it as if the time were up, for a plan nobody waits for
 };
 
 /// Runs from its construction, in one thread.

@@ -18,6 +18,7 @@ struct MotionBounds {
     double angularJerk = 0.0;         ///< rad/s^3
     double legSpeed = 0.0;            ///< of each leg, m/s
     double legAcceleration = 0.0;     ///< of each leg, m/s^2
+    bool operator==(const MotionBounds&) const = default;
 };
 
 /// What is not given, from the machine: a stroke in 2.5 s (at most 80 mm/s) for legs and P, turning as fast

@@ -77,6 +77,14 @@ std::string ownWords(const DeviceRefusal& refusal) {
     return refusal.text;
 }
 
+/// Why a controller refused, from the code that its words begin with.
+RefusalReason refusalReasonFromCode(std::string_view code) {
+    for (const auto& [reason, known] : kCodes)
+        if (known == code)
+            return reason;
+    return RefusalReason::Other;
+}
+
 /// What stands between the two, where the text has both.
 std::optional<std::string_view> between(std::string_view text, std::string_view before,
                                         std::string_view after) {
@@ -99,13 +107,6 @@ DeviceRequest deviceRequestFromWord(std::string_view word) {
         if (known == word)
             return value;
     return DeviceRequest::Other;
-}
-
-RefusalReason refusalReasonFromCode(std::string_view code) {
-    for (const auto& [reason, known] : kCodes)
-        if (known == code)
-            return reason;
-    return RefusalReason::Other;
 }
 
 std::string toWords(const DeviceRefusal& refusal) {

@@ -19,8 +19,6 @@ DeviceRequest deviceRequestFromWord(std::string_view word);
 /// "SET RANGE leg 2", "CLEAR STATE the stop is not confirmed yet": the request, then why it was refused.
 std::string toWords(const DeviceRefusal& refusal);
 DeviceRefusal deviceRefusalFromWords(std::string_view words);
-/// Why a controller refused, from the code that its words begin with.
-RefusalReason refusalReasonFromCode(std::string_view code);
 
 /// "/dev/ttyUSB0: the port is gone".
 std::string toWords(const PortFailure& failure);

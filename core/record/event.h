@@ -8,6 +8,7 @@
 #include "core/record/command_set.h"
 #include "core/record/controller_state.h"
 #include "core/record/device_refusal.h"
+#include "core/record/motion_id.h"
 #include "core/record/port_failure.h"
 #include "core/record/run_state.h"
 
@@ -49,7 +50,8 @@ enum class EventCode {
     PreparationFailed,       ///< a reference or enable before a move did not come about [PreparationFailure]
     StoppedOnFollowingError, ///< [FollowingError]
     StoppedOnNoEcho,         ///< set-points go unaccepted [double: ms since the first of them]
-    StoppedOnLimits,         ///< a set-point would leave a stroke [MotionCheck]
+    StoppedOnLimits,         ///< a set-point would leave a stroke, or the measured pose is near a
+                             ///< singular one or beyond it [MotionCheck]
     StoppedOnNewIdentity,    ///< the controller gave another name or other limits [ControllerIdentity]
     StoppedAfterLoss,        ///< the link is back after a loss in mid-move: a stop was sent
     DisableUnconfirmed,      ///< the session ended without a confirmation that the drives are off
@@ -74,6 +76,8 @@ struct MotionInhibit {
 struct CommandRefusal {
     Command command;
     RunState state;
+    std::optional<CommandSet> allowed = {}; ///< in its place; empty where that is not known, as from a log
+    MotionId id = kNoMotion;                ///< of the Run or Jog that was refused
     bool operator==(const CommandRefusal&) const = default;
 };
 

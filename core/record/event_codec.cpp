@@ -72,6 +72,10 @@ constexpr std::string_view kSeparator = "; ";
 
 } // namespace
 
+std::size_t eventCodeCount() {
+    return kEventWords.size();
+}
+
 std::string_view toWord(EventCode code) {
     const auto index = static_cast<std::size_t>(code);
     return index < kEventWords.size() ? kEventWords[index].word : "unknown";

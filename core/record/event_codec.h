@@ -4,6 +4,7 @@
 
 #include "core/record/event.h"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,6 +12,8 @@
 
 namespace hexapose {
 
+/// The codes are 0 .. this - 1.
+std::size_t eventCodeCount();
 /// "move-started", ...: stable identifier of an event.
 std::string_view toWord(EventCode code);
 std::optional<EventCode> eventCodeFromWord(std::string_view word);

@@ -17,10 +17,8 @@ struct LogColumn {
     void (*append)(const Snapshot& snapshot, std::string& line);
 };
 
-/// time_s, time_iso, l1_mm..l6_mm, l1_set_mm..l6_set_mm, x_target_mm, y_target_mm, z_target_mm,
-/// alpha_target_deg, beta_target_deg, gamma_target_deg, x_mm, y_mm, z_mm, alpha_deg, beta_deg, gamma_deg,
-/// status, iterations, residual_mm, state, age_ms, dropped, event. Target columns hold the goal of the
-/// present or last Run. Measured columns are empty in a row without a fresh measurement.
+/// In the log's order; resources/manual/files.md says what each holds. Measured columns are empty in a row
+/// without a fresh measurement.
 const std::vector<LogColumn>& logColumns();
 
 std::string logHeader();                                          ///< one line with '\n'

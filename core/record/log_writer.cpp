@@ -28,10 +28,6 @@ constexpr int kMostFaultFiles = 100;      ///< of a session: a broken line must 
 
 using SnapshotPtr = std::shared_ptr<const Snapshot>;
 
-std::string lostText(std::uint64_t lost) {
-    return std::to_string(lost) + " rows lost";
-}
-
 } // namespace
 
 struct LogWriter::Impl {
@@ -123,10 +119,10 @@ void LogWriter::Impl::run(const std::stop_token& stop) {
     for (bool last = false; !last;) {
         {
             std::unique_lock lock(mutex);
-            // While writing fails a full queue is no reason to hurry.
-            const bool hurry = text.empty();
+            // While writing fails a full queue is no reason to write early.
+            const bool writeEarly = text.empty();
             wake.wait_for(lock, stop, kFlushInterval,
-                          [&] { return hurry && queue.size() >= kQueueRows / 2; });
+                          [&] { return writeEarly && queue.size() >= kQueueRows / 2; });
             last = stop.stop_requested();
         }
         writeFaults();
@@ -176,7 +172,11 @@ void LogWriter::Impl::writeFaults() {
             writeNewFile(file, rows);
         } catch (const InputError& error) {
             const std::lock_guard lock(mutex);
-            faultFailure = error.what();
+            // The system's words alone: a screen has its own for the rest.
+            const InputFault* fault = error.fault();
+            faultFailure = fault != nullptr && !fault->details.empty()
+                               ? fault->where + ": " + fault->details.front()
+                               : error.what();
         }
     }
 }
@@ -223,7 +223,7 @@ void LogWriter::append(const SnapshotPtr& snapshot) {
     m_impl->remember(snapshot);
     if (!m_impl->becomesRow(*snapshot))
         return;
-    bool hurry = false;
+    bool halfFull = false;
     {
         const std::lock_guard lock(m_impl->mutex);
         if (m_impl->queue.size() == kQueueRows) {
@@ -233,9 +233,9 @@ void LogWriter::append(const SnapshotPtr& snapshot) {
         }
         m_impl->queue.push_back(snapshot);
         ++m_impl->taken;
-        hurry = m_impl->queue.size() == kQueueRows / 2;
+        halfFull = m_impl->queue.size() == kQueueRows / 2;
     }
-    if (hurry)
+    if (halfFull)
         m_impl->wake.notify_one();
 }
 
@@ -253,14 +253,14 @@ std::uint64_t LogWriter::lostCount() const {
     return m_impl->lost;
 }
 
-std::optional<std::string> LogWriter::failure() const {
+std::optional<LogFailure> LogWriter::failure() const {
     const std::lock_guard lock(m_impl->mutex);
     if (!m_impl->writeFailure.empty())
-        return m_impl->writeFailure;
+        return LogFailure{0, m_impl->writeFailure};
     if (!m_impl->faultFailure.empty())
-        return m_impl->faultFailure;
+        return LogFailure{0, m_impl->faultFailure};
     if (m_impl->lost > 0)
-        return lostText(m_impl->lost);
+        return LogFailure{m_impl->lost, {}};
     return std::nullopt;
 }
 

@@ -38,7 +38,7 @@ public:
     std::uint64_t rowCount() const;  ///< rows taken, not counting lost ones
     std::uint64_t lostCount() const; ///< rows that found the queue full
     /// Why the log is not complete, or not being written at present; empty while all is well.
-    std::optional<std::string> failure() const;
+    std::optional<LogFailure> failure() const;
     const std::filesystem::path& file() const;
 
 private:

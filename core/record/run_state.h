@@ -14,4 +14,17 @@ enum class RunState { Disconnected, Unreferenced, Disabled, Enabled, Moving, Set
 std::string_view toWord(RunState state);
 std::optional<RunState> runStateFromWord(std::string_view word);
 
+/// The platform moves, or comes to rest at the end of a motion.
+constexpr bool isInMotion(RunState state) {
+    return state == RunState::Moving || state == RunState::Settling;
+}
+/// The drives are on, as far as the host knows.
+constexpr bool drivesAreOn(RunState state) {
+    return state == RunState::Enabled || isInMotion(state);
+}
+/// Stopped, or with a fault: Clear comes first.
+constexpr bool isDown(RunState state) {
+    return state == RunState::Stopped || state == RunState::Fault;
+}
+
 } // namespace hexapose

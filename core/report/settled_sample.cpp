@@ -23,7 +23,7 @@ std::optional<SettledSample> SettledSampler::add(const Snapshot& snapshot) {
                           (!m_open || isSameGoal(m_open->target, *snapshot.goalPose));
     if (!standing) {
         std::optional<SettledSample> left = finish();
-        m_moved = snapshot.state == RunState::Moving || snapshot.state == RunState::Settling;
+        m_moved = isInMotion(snapshot.state);
         return left;
     }
     if (!m_moved || !snapshot.fresh || !snapshot.measuredLengths)

@@ -20,18 +20,19 @@ struct SerialConnection {
     bool operator==(const SerialConnection&) const = default;
 };
 
-/// Where to connect. A new kind of link is a new alternative here and in the program's device factory.
+/// Where to connect. A new kind of link is a new alternative here, with its name below, and in the
+/// program's device factory.
 using ConnectionSpec = std::variant<VirtualConnection, SerialConnection>;
 
+/// One function a kind of connection: a kind without one does not compile.
+struct ConnectionName {
+    std::string operator()(const VirtualConnection&) const { return "virtual"; }
+    std::string operator()(const SerialConnection& serial) const { return serial.path; }
+};
+
 /// What the log calls it: "virtual", or the path of the port.
-inline std::string nameOf(const VirtualConnection&) {
-    return "virtual";
-}
-inline std::string nameOf(const SerialConnection& connection) {
-    return connection.path;
-}
 inline std::string nameOf(const ConnectionSpec& connection) {
-    return std::visit([](const auto& kind) { return nameOf(kind); }, connection);
+    return std::visit(ConnectionName{}, connection);
 }
 
 } // namespace hexapose

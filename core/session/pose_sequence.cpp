@@ -10,15 +10,9 @@ namespace hexapose {
 
 namespace {
 
-bool isRefusalOfRun(const Event& event) {
+bool isRefusalOf(MotionId id, const Event& event) {
     const auto* refusal = event.get<CommandRefusal>();
-    return event.code == EventCode::CommandRefused && refusal && refusal->command == Command::Run;
-}
-
-/// A Run that is refused there was refused because of the state, whoever had asked for it.
-bool refusesEveryRun(RunState state) {
-    return state == RunState::Disconnected || state == RunState::Moving || state == RunState::Stopped ||
-           state == RunState::Fault;
+    return event.code == EventCode::CommandRefused && refusal && refusal->id == id;
 }
 
 } // namespace
@@ -46,7 +40,7 @@ bool PoseSequence::endsTheRun(const Event& event) const {
     case EventCode::PreparationFailed:
         return !m_started; // nobody else's Run can be pending beside ours
     case EventCode::CommandRefused:
-        return !m_taken && isRefusalOfRun(event) && refusesEveryRun(event.get<CommandRefusal>()->state);
+        return isRefusalOf(id(), event);
     default:
         return isFault(event.code);
     }
@@ -61,7 +55,6 @@ std::optional<Event> PoseSequence::end(const Snapshot& snapshot) {
     }
     for (const Event& event : snapshot.events) {
         m_started = m_started || (ours && event.code == EventCode::MoveStarted);
-        m_answered = m_answered || isRefusalOfRun(event); // ours, or of another while ours is pending
         if (endsTheRun(event))
             return event;
     }
@@ -74,7 +67,8 @@ std::optional<Event> PoseSequence::end(const Snapshot& snapshot) {
     // Dropped without a word, as a Disable drops what is pending.
     const bool free = snapshot.allowed.contains(Command::Run);
     if (m_answered && !m_started && free)
-        return Event{EventCode::CommandRefused, CommandRefusal{Command::Run, snapshot.state}};
+        return Event{EventCode::CommandRefused,
+                     CommandRefusal{Command::Run, snapshot.state, snapshot.allowed, id()}};
     m_answered = m_answered || !free;
     return std::nullopt;
 }

@@ -3,6 +3,7 @@
 
 #include "core/session/session.h"
 
+#include "core/device/platform_device.h"
 #include "core/record/log_writer.h"
 #include "core/session/replaceable_solver.h"
 
@@ -18,19 +19,11 @@
 
 namespace hexapose {
 
-namespace {
-
-bool moves(RunState state) {
-    return state == RunState::Moving || state == RunState::Settling;
-}
-
-} // namespace
-
 struct Session::Impl {
     SessionSetup setup;
     DeviceFactory factory;
     std::unique_ptr<LogWriter> log;
-    std::optional<std::string> lastLogFailure; ///< of the log that is complete
+    std::optional<LogFailure> lastLogFailure; ///< of the log that is complete
     std::shared_ptr<SnapshotRing> ring = std::make_shared<SnapshotRing>();
 
     mutable std::mutex mutex; // guards what follows
@@ -64,7 +57,7 @@ void Session::Impl::deliver(SnapshotPtr snapshot) {
 
 std::optional<Event> Session::Impl::takeSolver(ReplaceableSolver& solver, RunState state) {
     const std::lock_guard lock(mutex);
-    if (!next || moves(state))
+    if (!next || isInMotion(state))
         return std::nullopt;
     solver.replace(next->solver);
     inUse = next->solver;
@@ -113,7 +106,7 @@ void Session::Impl::cycles(const std::stop_token& stop, const ConnectionSpec& co
         return inUse;
     }());
     std::optional<Event> change; // of the solver, reported with the cycle that is the first to use it
-    ControlLoop control(*device, setup.geometry, solver, setup.control, [&](const Snapshot& snapshot) {
+    ControlLoop control(*device, setup.model, solver, setup.control, [&](const Snapshot& snapshot) {
         auto kept = std::make_shared<Snapshot>(snapshot);
         if (change)
             kept->events.insert(kept->events.begin(), *std::exchange(change, std::nullopt));
@@ -183,7 +176,7 @@ void Session::open(const ConnectionSpec& connection) {
 void Session::open(const ConnectionSpec& connection, const std::filesystem::path& logFile) {
     close();
     LogMetadata metadata;
-    metadata.platform = m_impl->setup.geometry;
+    metadata.platform = m_impl->setup.model->geometry();
     metadata.modelFingerprint = m_impl->setup.modelFingerprint;
     metadata.solver = std::string(m_impl->setup.solver->name());
     metadata.programVersion = m_impl->setup.programVersion;
@@ -240,7 +233,7 @@ std::filesystem::path Session::logFile() const {
     return info().logFile;
 }
 
-std::optional<std::string> Session::logFailure() const {
+std::optional<LogFailure> Session::logFailure() const {
     return m_impl->log ? m_impl->log->failure() : m_impl->lastLogFailure;
 }
 

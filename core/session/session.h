@@ -3,9 +3,8 @@
 #pragma once
 
 #include "core/base/thread_priority.h"
-#include "core/device/platform_device.h"
-#include "core/geometry/platform_geometry.h"
 #include "core/kinematics/forward_solver.h"
+#include "core/kinematics/platform_model.h"
 #include "core/machine/command.h"
 #include "core/machine/control_loop.h"
 #include "core/session/connection.h"
@@ -19,9 +18,11 @@
 
 namespace hexapose {
 
+class PlatformDevice;
+
 /// What a session works with; fixed while it is open, except for the solver.
 struct SessionSetup {
-    PlatformGeometry geometry;
+    SharedModel model; ///< of all who work with this session: its loop, and the screen
     std::shared_ptr<const ForwardSolver> solver;
     std::string modelFingerprint;
     std::string programVersion;
@@ -72,7 +73,7 @@ public:
     /// Of the present or last connection; empty before the first.
     std::filesystem::path logFile() const;
     /// Why the log of the present or last connection is not complete.
-    std::optional<std::string> logFailure() const;
+    std::optional<LogFailure> logFailure() const;
 
 private:
     struct Impl;

@@ -29,18 +29,17 @@ Pose publishedPose() {
 
 } // namespace
 
-std::vector<Pose> trialPoses(const PlatformGeometry& geometry, const PoseEnvelope& envelope, int more) {
-    MotionLimits limits = motionLimits(geometry, std::nullopt, std::nullopt);
+std::vector<Pose> trialPoses(const PlatformModel& model, const PoseEnvelope& envelope, int more) {
+    MotionLimits limits = motionLimits(model.geometry(), std::nullopt, std::nullopt);
     limits.envelope = envelope;
-    if (const MotionCheck home = checkPose(geometry, limits, Pose{}); !home.ok())
-        throw InputError(geometry.name, "home cannot be reached: " + toWords(home));
-    const auto reachable = [&](const Pose& pose) {
-        return checkLegPath(geometry, limits, Pose{}, pose).ok();
-    };
+    if (const MotionCheck home = checkPose(model, limits, Pose{}); !home.ok())
+        throw InputError(model.geometry().name, "home cannot be reached: " + toWords(home));
+    const auto reachable = [&](const Pose& pose) { return checkLegPath(model, limits, Pose{}, pose).ok(); };
     for (int halvings = 0;; ++halvings) {
         try {
-            std::vector<Pose> poses = randomPoses(geometry, more + 1, std::ldexp(kOffsetRange, -halvings),
-                                                  std::ldexp(kAngleRange, -halvings), kSeed);
+            std::vector<Pose> poses =
+                randomPoses(model.geometry(), more + 1, std::ldexp(kOffsetRange, -halvings),
+                            std::ldexp(kAngleRange, -halvings), kSeed);
             std::rotate(poses.begin(), poses.end() - 1, poses.end()); // the first one is for the move
             if (reachable(publishedPose()))
                 poses.front() = publishedPose();
@@ -51,7 +50,7 @@ std::vector<Pose> trialPoses(const PlatformGeometry& geometry, const PoseEnvelop
                 throw;
         }
         if (halvings == kMostHalvings)
-            throw InputError(geometry.name, "no pose near home can be reached");
+            throw InputError(model.geometry().name, "no pose near home can be reached");
     }
 }
 

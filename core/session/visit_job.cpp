@@ -12,10 +12,6 @@ namespace {
 /// How soon an interruption is noticed when no cycle comes.
 constexpr std::chrono::milliseconds kLookEvery{50};
 
-bool isDown(RunState state) {
-    return state == RunState::Stopped || state == RunState::Fault;
-}
-
 } // namespace
 
 VisitJob::VisitJob(std::vector<Pose> targets, const Options& options)
@@ -62,7 +58,7 @@ std::vector<OperatorCommand> VisitJob::add(const Snapshot& snapshot) {
     }
     std::vector<OperatorCommand> commands;
     if (!std::exchange(m_speedPosted, true))
-        commands.push_back(SpeedCommand{m_options.speed});
+        commands.push_back(SpeedCommand{m_options.speedOverride});
     if (std::optional<SettledSample> sample = m_sampler.add(snapshot))
         m_samples.push_back(*sample);
     const bool waiting = m_sequence.phase() == PoseSequence::Phase::Waiting;

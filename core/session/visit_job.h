@@ -38,7 +38,7 @@ class VisitJob {
 public:
     struct Options {
         MotionMode mode = MotionMode::Joint;
-        double speed = 1.0;                    ///< 0..1, part of full speed
+        double speedOverride = 1.0;            ///< 0..1
         std::optional<SweepSettings> sweep;    ///< in place of the first pose
         bool clearFirst = false;               ///< clear a stop or fault that the controller is in
         std::chrono::seconds answerWithin{10}; ///< a controller, from the session's start

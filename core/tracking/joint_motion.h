@@ -11,7 +11,7 @@ namespace hexapose {
 /// Joint mode: all legs on a straight path in their lengths, no matter where the platform is.
 class JointMotion final : public MotionGenerator {
 public:
-    /// legSpeed: m/s, of the maxSpeed leg.
+    /// legSpeed: m/s, of the fastest leg.
     JointMotion(const LegLengths& from, const LegLengths& to, double legSpeed);
 
     MotionMode mode() const override { return MotionMode::Joint; }

@@ -15,8 +15,8 @@ constexpr double kGainPerPeriod = 0.25; ///< of an error is taken away in a feed
 constexpr double kLeadOfGap = 1.4;      ///< aim and lead together, of the gap limit
 constexpr double kWaitTime = 0.05;      ///< s: the reference takes up a lag in about so long
 constexpr double kMostWait = 0.5;       ///< of the path's rate
-constexpr double kSlipRange = 1.5;      ///< of the rest distance: a leg that is further off carries a load
-constexpr double kSlipTime = 0.15;      ///< s
+constexpr double kDriftRange = 1.5;     ///< of the rest distance: a leg that is further off carries a load
+constexpr double kDriftTime = 0.15;     ///< s
 constexpr double kGapToSlow = 0.5;      ///< of the gap limit: from there on the path slows down
 
 } // namespace
@@ -30,12 +30,13 @@ void WorkspaceController::begin(const LegLengths& setPoint) {
     m_lagEstimator.interrupt();
 }
 
-/// The largest part of the feed that leaves every leg within its speed: feed and correction add up.
-double WorkspaceController::allowedRate(const LegLengths& feed, const LegLengths& correction) const {
+/// The largest part of the feed-forward rates that leaves every leg within its speed: they and the correction
+/// add up.
+double WorkspaceController::allowedRate(const LegLengths& feedForward, const LegLengths& correction) const {
     double rate = 1.0;
     for (int leg = 0; leg < kLegCount; ++leg) {
-        const double toward = feed[leg] >= 0.0 ? correction[leg] : -correction[leg];
-        const double size = std::abs(feed[leg]);
+        const double toward = feedForward[leg] >= 0.0 ? correction[leg] : -correction[leg];
+        const double size = std::abs(feedForward[leg]);
         if (size > 0.0)
             rate = std::min(rate, std::max((m_options.legSpeed - toward) / size, 0.0));
     }
@@ -44,11 +45,11 @@ double WorkspaceController::allowedRate(const LegLengths& feed, const LegLengths
 
 /// What is left of an error at rest is within the rounding of the measurement. Without a load on the legs the
 /// lengths of the reference are nearer to the truth than what is measured.
-void WorkspaceController::slipToRest(const LegLengths& end, double seconds) {
+void WorkspaceController::driftToRest(const LegLengths& end, double seconds) {
     const LegLengths left = end - m_aim;
     const double largest = left.cwiseAbs().maxCoeff();
-    if (largest > 0.0 && largest <= kSlipRange * m_options.restDistance)
-        m_aim += std::min(seconds / kSlipTime, 1.0) * left;
+    if (largest > 0.0 && largest <= kDriftRange * m_options.restDistance)
+        m_aim += std::min(seconds / kDriftTime, 1.0) * left;
 }
 
 /// How long the platform is behind the reference along its twist, s; turning counts as the joints move by it.
@@ -70,7 +71,7 @@ WorkspaceController::Step WorkspaceController::step(const Measurement& measured,
     const Twist toCorrect = step.error - lag * reference.twist;
     const double gain = std::min(m_options.gain, kGainPerPeriod / std::max(measured.seconds, 1e-6));
     const Jacobian J = m_model->jacobian(measured.pose);
-    const LegLengths feed = J * reference.twist;
+    const LegLengths feedForward = J * reference.twist;
     const bool rests = reference.twist.isZero(0.0) && step.error.head<3>().norm() <= m_options.restDistance &&
                        step.error.tail<3>().norm() <= m_options.restAngle;
     LegLengths correction = rests ? LegLengths(LegLengths::Zero()) : LegLengths(gain * (J * toCorrect));
@@ -82,18 +83,18 @@ WorkspaceController::Step WorkspaceController::step(const Measurement& measured,
     }
 
     const double gap = (m_aim - measured.lengths).cwiseAbs().maxCoeff() / m_options.gapLimit;
-    double rate = std::min(
-        {wantedRate, allowedRate(feed, correction), std::clamp((1.0 - gap) / (1.0 - kGapToSlow), 0.0, 1.0)});
+    double rate = std::min({wantedRate, allowedRate(feedForward, correction),
+                            std::clamp((1.0 - gap) / (1.0 - kGapToSlow), 0.0, 1.0)});
     step.saturated = step.saturated || rate < wantedRate;
     // Slower at once, faster little by little.
     rate = std::min(rate, m_pathRate + measured.seconds / m_options.speedUpTime);
     m_pathRate = rate;
     step.pathRate = rate * (1.0 - std::clamp(lag / kWaitTime, -kMostWait, kMostWait));
 
-    const LegLengths rates = rate * feed + correction;
+    const LegLengths rates = rate * feedForward + correction;
     m_aim += measured.seconds * rates;
     if (rests)
-        slipToRest(m_model->actuators(reference.pose), measured.seconds);
+        driftToRest(m_model->actuators(reference.pose), measured.seconds);
     const LegLengths ahead = m_aim - measured.lengths;
     const double tooFar = ahead.cwiseAbs().maxCoeff() / m_options.gapLimit;
     if (tooFar > 1.0)

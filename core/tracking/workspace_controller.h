@@ -56,8 +56,8 @@ public:
 
 private:
     double lagOf(const Twist& error, const Twist& twist) const;
-    void slipToRest(const LegLengths& end, double seconds);
-    double allowedRate(const LegLengths& feed, const LegLengths& correction) const;
+    void driftToRest(const LegLengths& end, double seconds);
+    double allowedRate(const LegLengths& feedForward, const LegLengths& correction) const;
 
     SharedModel m_model;
     WorkspaceOptions m_options;

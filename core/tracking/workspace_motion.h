@@ -13,7 +13,7 @@ namespace hexapose {
 /// Workspace mode: a planned motion, led by the pose that is measured. After its end the pose is held.
 class WorkspaceMotion final : public MotionGenerator {
 public:
-    /// controller: outlives the law, and keeps what it learned for the next one. from: set-point in force.
+    /// controller: outlives the motion, and keeps what it learned for the next one. from: set-point in force.
     WorkspaceMotion(WorkspaceController& controller, std::shared_ptr<const PoseMotion> motion,
                     WorkspaceController::Following following, const LegLengths& from);
 

@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <regex>
+#include <set>
 #include <sstream>
 
 namespace hexapose::architecture {
@@ -60,6 +62,31 @@ TEST(Architecture, EveryArrowPointsTheAllowedWay) {
     EXPECT_THAT(checkTree({"core", "ui", "app"}, includeViolations, isSource), IsEmpty());
 }
 
+/// Not by way of other headers either: a change of the device interface compiles no picture and no panel.
+TEST(Architecture, PicturesAndPanelsReachNoDevice) {
+    const fs::path top = HEXAPOSE_SOURCE_DIR;
+    std::set<std::string> seen;
+    std::vector<std::string> reached;
+    const std::function<void(const std::string&)> follow = [&](const std::string& path) {
+        if (!seen.insert(path).second || !fs::exists(top / path))
+            return;
+        const std::string text = readText(top / path);
+        const std::regex include(R"re(#include "([^"]+)")re");
+            for (auto at = std::sregex_iterator(text.begin(), text.end(), include);
+                 at != std::sregex_iterator(); ++at) {
+            const std::string header = (*at)[1];
+            if (header.starts_with("core/device/"))
+                reached.push_back(path + " includes " + header);
+            follow(header);
+        }
+    };
+    for (const auto& entry : fs::recursive_directory_iterator(top / "ui"))
+        if (isSource(entry.path()))
+            follow(entry.path().lexically_relative(top).generic_string());
+    EXPECT_TRUE(seen.contains("core/session/session.h"));
+    EXPECT_THAT(reached, IsEmpty());
+}
+
 TEST(Architecture, CoreLinksQtOnlyInTheSerialFolder) {
     const auto isList = [](const fs::path& file) { return file.filename() == "CMakeLists.txt"; };
     EXPECT_THAT(checkTree({"core"}, linkViolations, isList), IsEmpty());
@@ -71,6 +98,18 @@ TEST(Architecture, EverySourceNamesItsLicence) {
 
 TEST(Architecture, NoSourceGrowsOutOfHand) {
     EXPECT_THAT(checkTree({"core", "ui", "app", "tests"}, sizeViolations, isSource), IsEmpty());
+}
+
+TEST(Architecture, EverySourceIsInTheListOfItsFolder) {
+    const auto rule = [](std::string_view path, std::string_view) {
+        const fs::path top = HEXAPOSE_SOURCE_DIR;
+        fs::path folder = fs::path(path).parent_path();
+        while (!fs::exists(top / folder / "CMakeLists.txt"))
+            folder = folder.parent_path();
+        return listViolations(path, folder.generic_string(), readText(top / folder / "CMakeLists.txt"));
+    };
+    const auto isUnit = [](const fs::path& file) { return file.extension() == ".cpp"; };
+    EXPECT_THAT(checkTree({"core", "ui", "app", "tests"}, rule, isUnit), IsEmpty());
 }
 
 TEST(SourceRules, ReversedArrowIsToldWithItsLine) {
@@ -133,7 +172,8 @@ INSTANTIATE_TEST_SUITE_P(
         Arrow{"core/session/a.h", "\"core/device/platform_device.h\"", true},
         Arrow{"core/session/a.h", "\"core/device/line/line_device.h\"", false},
         Arrow{"core/session/a.h", "\"ui/console/motion/target_panel.h\"", false},
-        Arrow{"ui/console/motion/a.h", "\"core/device/serial/serial_ports.h\"", true},
+        Arrow{"ui/console/motion/a.h", "\"core/device/serial/serial_ports.h\"", false},
+        Arrow{"ui/console/window/a.h", "\"core/device/platform_device.h\"", false},
         Arrow{"ui/console/motion/a.h", "\"core/device/serial/serial_channel.h\"", false},
         Arrow{"ui/console/motion/a.h", "\"app/common/directories.h\"", false},
         Arrow{"app/cli/a.cpp", "\"ui/report/report_export.h\"", true},
@@ -170,6 +210,19 @@ TEST(SourceRules, LicenceFollowsTheFolder) {
     EXPECT_THAT(headerViolations("app/cli/main.cpp", mit),
                 ElementsAre(HasSubstr("licence GPL-3.0-or-later")));
     EXPECT_THAT(headerViolations("core/geometry/pose.h", "#pragma once\n" + mit), testing::SizeIs(1));
+}
+
+TEST(SourceRules, ASourceThatNoListNamesIsTold) {
+    const std::string list =
+        "hexapose_test(jog_test\n  SOURCES move_test.cpp sub/more.cpp) # late_test.cpp\n";
+    EXPECT_THAT(listViolations("tests/core/a/move_test.cpp", "tests/core/a", list), IsEmpty());
+    EXPECT_THAT(listViolations("tests/core/a/sub/more.cpp", "tests/core/a", list), IsEmpty());
+    for (const char* missing : {"tests/core/a/jog_test.cpp", "tests/core/a/more.cpp", "tests/core/a/test.cpp",
+                                "tests/core/a/late_test.cpp"})
+        EXPECT_THAT(listViolations(missing, "tests/core/a", list),
+                    ElementsAre(HasSubstr("is not named in tests/core/a/CMakeLists.txt")))
+            << missing;
+    EXPECT_THAT(listViolations("tests/examples/01_a.cpp", "tests/examples", "example(01_a x)"), IsEmpty());
 }
 
 TEST(SourceRules, LongSourcesAndQtInCoreListsAreTold) {

@@ -24,12 +24,10 @@ const Folders kinematics{"core/base",
 const Folders values = join(kinematics, {"core/record", "core/report"});
 const Folders control{"core/motion", "core/tracking", "core/machine", "core/session"};
 const Folders device{"core/device", "core/device/line", "core/device/simulation"};
-const Folders wholeCore =
-    join(join(join(values, control), device), {"core/finite_step", "core/device/serial", "core/table", "core/analysis"});
-/// A page of the console offers the list of ports; what is behind a port it does not know.
-const Folders page =
-    join(join(values, control), {"core/device/platform_device.h", "core/device/serial/serial_ports.h",
-                                 "ui/common", "ui/plot", "ui/charts", "ui/report"});
+const Folders wholeCore = join(join(join(values, control), device),
+                               {"core/finite_step", "core/device/serial", "core/table", "core/analysis"});
+/// A page of the console is given the names of the ports; what is behind a port it does not know.
+const Folders page = join(join(values, control), {"ui/common", "ui/plot", "ui/charts", "ui/report"});
 const Folders console{"ui/console/window", "ui/console/motion", "ui/console/status", "ui/console/events",
                       "ui/console/report"};
 

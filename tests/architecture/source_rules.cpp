@@ -134,4 +134,22 @@ std::vector<std::string> linkViolations(std::string_view path, std::string_view 
     return {at(path, 1, std::string(layer->folder) + " must not link Qt")};
 }
 
+std::vector<std::string> listViolations(std::string_view path, std::string_view listFolder,
+                                        std::string_view list) {
+    std::string name(path.substr(listFolder.size() + 1));
+    if (listFolder == "tests/examples") {
+        name = name.substr(0, name.find('.')); // a program each, called by its name
+    }
+    static const std::regex comments("#[^\n]*");
+    static const std::regex separators("[\\s()\"]+");
+    const std::string text = std::regex_replace(std::string(list), comments, "");
+    const std::sregex_token_iterator end;
+    for (std::sregex_token_iterator word(text.begin(), text.end(), separators, -1); word != end; ++word) {
+        if (word->str() == name || word->str() == name + ".cpp") {
+            return {};
+        }
+    }
+    return {at(path, 1, "is not named in " + std::string(listFolder) + "/CMakeLists.txt")};
+}
+
 } // namespace hexapose::architecture

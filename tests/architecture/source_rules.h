@@ -26,5 +26,9 @@ std::vector<std::string> headerViolations(std::string_view path, std::string_vie
 std::vector<std::string> sizeViolations(std::string_view path, std::string_view text);
 /// A folder's CMakeLists.txt: core links Qt only where it may.
 std::vector<std::string> linkViolations(std::string_view path, std::string_view text);
+/// A .cpp that the nearest CMakeLists.txt, at or above its folder, does not name. A test that is not named
+/// there builds without a word and never runs.
+std::vector<std::string> listViolations(std::string_view path, std::string_view listFolder,
+                                        std::string_view list);
 
 } // namespace hexapose::architecture

@@ -97,7 +97,7 @@ void benchPhases(const PlatformGeometry& geometry, const ForwardSolver& solver) 
     line.desiredPeriod = 1ms;
     LineDevice device(std::make_unique<SerialChannel>(server.path(), kBaud), line);
     Snapshot last;
-    ControlLoop loop(device, geometry, solver, {}, [&](const Snapshot& s) { last = s; });
+    ControlLoop loop(device, makeModel(geometry), solver, {}, [&](const Snapshot& s) { last = s; });
     PhaseClock clock;
     loop.setObserver(&clock);
     const std::array<Pose, 2> targets{Pose{{0.012, -0.004, 0.030}, {0.0, 0.0, 0.08}},
@@ -211,7 +211,7 @@ void benchStop(const PlatformGeometry& geometry, const ForwardSolver& solver) {
     BadController controller(geometry);
     LineDevice device(std::make_unique<SerialChannel>(controller.path(), kBaud));
     Snapshot last;
-    ControlLoop loop(device, geometry, solver, {}, [&](const Snapshot& s) { last = s; });
+    ControlLoop loop(device, makeModel(geometry), solver, {}, [&](const Snapshot& s) { last = s; });
     const auto cycleUntil = [&](RunState state) {
         for (int cycle = 0; cycle < 1000 && last.state != state; ++cycle)
             loop.cycle();

@@ -40,6 +40,7 @@ int main(int argc, char* argv[]) try {
         return 2;
     }
     const hexapose::PlatformGeometry platform = hexapose::loadPlatform(argv[1]);
+    const hexapose::SharedModel model = hexapose::makeModel(platform); // once, for all who ask it
     const hexapose::NewtonRaphson solver(platform, {});
     hexapose::SimulatedMachine machine(platform);
 
@@ -53,7 +54,7 @@ int main(int argc, char* argv[]) try {
 
     hexapose::Snapshot now; // of the last cycle
     hexapose::ControlLoop loop(
-        machine.device(), platform, solver, {},
+        machine.device(), model, solver, {},
         [&](const hexapose::Snapshot& snapshot) {
             now = snapshot;
             log.append(snapshot);
@@ -62,7 +63,7 @@ int main(int argc, char* argv[]) try {
                           << " s: " << hexapose::formatEvent(event) << '\n';
         },
         machine.clock(),
-        std::make_unique<hexapose::ImmediatePlanner>(platform)); // no thread beside a simulated clock
+        std::make_unique<hexapose::ImmediatePlanner>(model)); // no thread beside a simulated clock
     const auto cycleUntil = [&](auto condition) {
         while (!condition() && now.time < 60s)
             loop.cycle();

@@ -50,6 +50,8 @@ void ScriptedDevice::obey(DeviceRequest request) {
 }
 
 void ScriptedDevice::write(const SetPoints& setPoints) {
+    if (link == LinkState::Lost)
+        return; // it reaches nobody
     received.push_back(setPoints);
     obey(setPoints.request);
     if (setPoints.lengths)

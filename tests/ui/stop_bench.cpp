@@ -103,11 +103,11 @@ int measure(QApplication& application) {
     const QTemporaryDir folder;
     StopWatch controller(geometry);
     SessionSetup setup;
-    setup.geometry = geometry;
+    setup.model = makeModel(geometry);
     setup.solver = solver;
     setup.programVersion = "bench";
     setup.logDirectory = folder.path().toStdString();
-    OperatorWindow window(geometry, [] { return QStringList(); });
+    OperatorWindow window(setup.model, [] { return QStringList(); });
     window.setSession(std::make_unique<Session>(
         setup, [&](const ConnectionSpec& connection) { return makeDevice(connection, geometry); }));
     window.resize(1280, 800);

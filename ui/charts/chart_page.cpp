@@ -82,8 +82,8 @@ QPushButton* makeToggle(QButtonGroup& group, int id, QWidget* parent) {
 
 } // namespace
 
-ChartPage::ChartPage(const PlatformGeometry& geometry, QWidget* parent)
-    : QWidget(parent), m_geometry(geometry), m_history(kChannels), m_window(kWindow),
+ChartPage::ChartPage(SharedModel model, QWidget* parent)
+    : QWidget(parent), m_model(std::move(model)), m_history(kChannels), m_window(kWindow),
       m_colors(themeColors(ThemeKind::Light)) {
     m_turn.setInterval(kTurnMs);
     connect(&m_turn, &QTimer::timeout, this, &ChartPage::drawNext);
@@ -236,7 +236,7 @@ ChartSubject ChartPage::describe(std::size_t index) const {
     const double reach = coordinate.angle ? kAngleRange : kOffsetRange;
     switch (m_subject) {
     case Subject::Legs: {
-        const Leg& leg = m_geometry.legs[index];
+        const Leg& leg = m_model->geometry().legs[index];
         return {tr("Leg %1").arg(index + 1),
                 QStringLiteral("mm"),
                 kLeg + index,
@@ -279,7 +279,7 @@ void ChartPage::retranslate() {
     QString legend = measured.arg(m_colors.accent.name(), tr("measured"));
     if (m_subject != Subject::Errors) {
         legend += QStringLiteral(" &nbsp; <span style='color:%1'>- - -</span> %2")
-                      .arg(m_colors.muted.name(), tr("target"));
+                      .arg(m_colors.muted.name(), m_subject == Subject::Legs ? tr("set-point") : tr("path"));
     }
     m_legend->setText(legend);
     applySubject();

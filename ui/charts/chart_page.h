@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/geometry/platform_geometry.h"
+#include "core/kinematics/platform_model.h"
 #include "core/record/snapshot.h"
 #include "ui/charts/chart_history.h"
 #include "ui/charts/time_chart.h"
@@ -25,7 +25,7 @@ class ChartPage final : public QWidget {
 public:
     enum class Subject { Pose, Legs, Errors };
 
-    explicit ChartPage(const PlatformGeometry& geometry, QWidget* parent = nullptr);
+    explicit ChartPage(SharedModel model, QWidget* parent = nullptr);
     void setColors(const ThemeColors& colors);
     /// Takes fresh measurements in; stale stretches become gaps.
     void add(const Snapshot& snapshot);
@@ -57,7 +57,7 @@ private:
     void drawNext();
     ChartSubject describe(std::size_t index) const;
 
-    PlatformGeometry m_geometry;
+    SharedModel m_model;
     ChartHistory m_history;
     std::optional<ChartHistory> m_frozen; ///< what a paused page shows
     std::array<TimeChart*, 6> m_charts{};

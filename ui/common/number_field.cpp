@@ -29,7 +29,7 @@ QString faultText(TypedNumberFault fault) {
     case TypedNumberFault::Unfinished:
         return NumberField::tr("unfinished");
     case TypedNumberFault::BlankInside:
-        return NumberField::tr("a blank inside");
+        return NumberField::tr("contains a space");
     case TypedNumberFault::TwoDecimalMarks:
         return NumberField::tr("two decimal marks");
     case TypedNumberFault::NotANumber:
@@ -120,6 +120,12 @@ void NumberField::stepBy(double steps) {
 }
 
 void NumberField::keyPressEvent(QKeyEvent* event) {
+    const bool steps = event->key() == Qt::Key_Up || event->key() == Qt::Key_Down ||
+                       event->key() == Qt::Key_PageUp || event->key() == Qt::Key_PageDown;
+    if (steps && qobject_cast<QComboBox*>(parentWidget()) != nullptr) {
+        event->ignore(); // the box has steps of its own
+        return;
+    }
     switch (event->key()) {
     case Qt::Key_Up:
         return stepBy(1.0);

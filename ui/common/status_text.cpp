@@ -137,7 +137,7 @@ QString solveStatusText(SolveStatus status) {
     case SolveStatus::OutsideModel:
         return StatusText::tr("Outside the model's range");
     case SolveStatus::OtherBranch:
-        return StatusText::tr("Pose of another assembly");
+        return StatusText::tr("Pose of another assembly mode");
     }
     return {};
 }

@@ -14,12 +14,12 @@
 namespace hexapose {
 
 QString stateText(RunState state);
-/// The same where it is known: not with old data, nor of a sender that tells none.
+/// The same where it is known: not with old data, nor of a sender that reports none.
 QString stateText(const Snapshot& snapshot);
 Tone stateTone(const Snapshot& snapshot);
 /// Why nothing can be run now, though something is connected; empty when it can.
 QString runInhibit(const Snapshot& snapshot);
-/// The same, but for a stop or fault that wants to be cleared.
+/// The same, but for a stop or fault that must be cleared.
 QString linkInhibit(const Snapshot& snapshot);
 Tone stateTone(RunState state);
 QString solveStatusText(SolveStatus status);

@@ -44,12 +44,12 @@ class Trial {
 public:
     Trial(const TrialSettings& settings, const ForwardSolver& solver, MotionMode mode)
         : m_settings(settings), m_bounds(withDefaults(settings.control.bounds, settings.platform)),
-          m_mode(mode), m_machine(settings.platform, settings.legs),
+          m_mode(mode), m_model(makeModel(settings.platform)), m_machine(settings.platform, settings.legs),
           m_exact(settings.platform, NewtonOptions{.tolerance = kTightTolerance}),
           m_loop(
-              m_machine.device(), settings.platform, solver, settings.control,
+              m_machine.device(), m_model, solver, settings.control,
               [this](const Snapshot& snapshot) { m_last = snapshot; }, m_machine.clock(),
-              std::make_unique<ImmediatePlanner>(settings.platform)) {}
+              std::make_unique<ImmediatePlanner>(m_model)) {}
 
     MoveOutcome run(const Pose& target, int index) {
         const MoveOutcome outcome = move(target, index);
@@ -96,7 +96,7 @@ private:
         m_outcome.from = m_true;
         m_outcome.plannedSeconds = plannedSeconds;
         m_displacement = displacement(m_true, target);
-        m_plan.emplace(m_settings.platform, *m_last.measuredPose, target, m_bounds);
+        m_plan.emplace(*m_model, *m_last.measuredPose, target, m_bounds);
         m_track.clear();
         m_constantSpeed = m_constantSince = 0.0;
     }
@@ -170,6 +170,7 @@ private:
     const TrialSettings& m_settings;
     MotionBounds m_bounds;
     MotionMode m_mode;
+    SharedModel m_model;
     SimulatedMachine m_machine;
     NewtonRaphson m_exact;
     Snapshot m_last;

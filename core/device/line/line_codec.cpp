@@ -4,6 +4,7 @@
 #include "core/device/line/line_codec.h"
 
 #include <algorithm>
+#include <array>
 
 namespace hexapose::line {
 
@@ -19,12 +20,14 @@ constexpr std::uint16_t nextCrc(std::uint16_t crc, unsigned char byte) {
     return static_cast<std::uint16_t>(value & 0xFFFFU);
 }
 
-std::string hexDigits(std::uint16_t value) {
+/// '*' and four digits.
+std::array<char, kTrailerSize> trailerOf(std::string_view payload) {
     constexpr std::string_view kDigits = "0123456789ABCDEF";
-    std::string text(4, '0');
-    for (std::size_t i = 0; i < text.size(); ++i)
-        text[text.size() - 1 - i] = kDigits[(std::uint32_t{value} >> (4U * i)) & 0xFU];
-    return text;
+    const std::uint32_t crc = crc16(payload);
+    std::array<char, kTrailerSize> trailer{'*'};
+    for (std::size_t i = 1; i < kTrailerSize; ++i)
+        trailer[i] = kDigits[(crc >> (4U * (kTrailerSize - 1 - i))) & 0xFU];
+    return trailer;
 }
 
 bool isBlank(std::string_view text) {
@@ -51,8 +54,8 @@ std::string frame(std::string_view payload) {
     text.reserve(payload.size() + kTrailerSize + 2);
     text += '$';
     text += payload;
-    text += '*';
-    text += hexDigits(crc16(payload));
+    const std::array trailer = trailerOf(payload);
+    text.append(trailer.data(), trailer.size());
     text += '\n';
     return text;
 }
@@ -118,7 +121,8 @@ void FrameReader::finishFrame(std::vector<LineMessage>& out) {
     }
     const std::size_t payloadSize = text.size() - std::min(text.size(), kTrailerSize);
     const std::string_view payload = text.substr(0, payloadSize);
-    if (text.substr(payloadSize) != '*' + hexDigits(crc16(payload))) {
+    const std::array trailer = trailerOf(payload);
+    if (text.substr(payloadSize) != std::string_view(trailer.data(), trailer.size())) {
         ++m_counters.droppedCrc;
         return;
     }

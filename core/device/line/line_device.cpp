@@ -4,7 +4,6 @@
 #include "core/device/line/line_device.h"
 
 #include "core/device/line/line_device_impl.h"
-#include "core/record/device_words.h"
 
 #include <algorithm>
 #include <utility>
@@ -44,12 +43,12 @@ void LineDevice::Impl::send(const SetPoints& setPoints) {
 void LineDevice::Impl::sendStop(bool asked, Time time) {
     if (asked && feedback.link != LinkState::ListenOnly) {
         pending.clear();
-        pending.sent("STOP", time);
+        pending.sent(DeviceRequest::Stop, time);
         stop.begin(time);
         disable.confirm();
         channel->dropUnsent();
     }
-    if (stop.takeDue(time, options.stopEvery, options.stopGiveUpAfter))
+    if (stop.sendsNow(time, options.stopEvery, options.stopGiveUpAfter))
         write(line::Stop{});
 }
 
@@ -63,20 +62,19 @@ void LineDevice::Impl::sendHandshake(Time time) {
         write(line::Hello{});
         lastHello = time;
     }
-    if (identified && periodTries > 0 && !isSilent(time) && !pending.waitsFor("PERIOD")) {
+    if (identified && periodTries > 0 && !isSilent(time) && !pending.waitsFor(DeviceRequest::Period)) {
         --periodTries;
         write(line::Period{options.desiredPeriod});
-        pending.sent("PERIOD", time);
+        pending.sent(DeviceRequest::Period, time);
     }
 }
 
 void LineDevice::Impl::sendRequest(DeviceRequest request, Time time) {
-    if (request == DeviceRequest::None && disable.takeDue(time, options.stopEvery, options.stopGiveUpAfter))
+    if (request == DeviceRequest::None && disable.sendsNow(time, options.stopEvery, options.stopGiveUpAfter))
         return write(line::Disable{});
     const std::optional<line::LineMessage> message = line::messageOf(request);
     if (!message || request == DeviceRequest::Stop)
         return;
-    const std::string type = line::payloadOf(*message);
     // Drives that may be on are switched off also where the controller has not said yet who it is.
     const bool possible = feedback.link == LinkState::Connected ||
                           (request == DeviceRequest::Disable && feedback.link == LinkState::Connecting);
@@ -85,11 +83,11 @@ void LineDevice::Impl::sendRequest(DeviceRequest request, Time time) {
     if (stop.active() && request != DeviceRequest::Disable)
         return note(notice::Refused{{request, RefusalReason::StopUnconfirmed}});
     write(*message);
-    pending.sent(type, time);
+    pending.sent(request, time);
     disable.confirm();
     if (request == DeviceRequest::Disable) {
         disable.begin(time);
-        disable.takeDue(time, options.stopEvery, options.stopGiveUpAfter); // it has just been sent
+        disable.sendsNow(time, options.stopEvery, options.stopGiveUpAfter); // it has just been sent
     }
 }
 
@@ -129,9 +127,9 @@ void LineDevice::Impl::receive() {
 }
 
 void LineDevice::Impl::reportTimeouts() {
-    for (const std::string& type : pending.takeOverdue(options.now(), options.answerWithin))
-        if (type != "PERIOD" || periodTries == 0)
-            note(notice::NoAnswer{deviceRequestFromWord(type)});
+    for (const DeviceRequest request : pending.takeOverdue(options.now(), options.answerWithin))
+        if (request != DeviceRequest::Period || periodTries == 0)
+            note(notice::NoAnswer{request});
 }
 
 void LineDevice::Impl::onLinkLost(const PortFailure& failure) {

@@ -45,7 +45,10 @@ struct LineDevice::Impl {
     void process(const line::Fault& fault);
     void onControllerRestart();
     void reportOnce(DeviceRefusal refusal);
-    void note(DeviceNotice notice) { noted.push_back(std::move(notice)); }
+    template <class Notice>
+    void note(Notice notice) {
+        noted.emplace_back(std::move(notice));
+    }
 
     bool isSilent(Time time) const {
         return time - lastHeard > std::max(options.silentAfter, 3 * feedback.period);

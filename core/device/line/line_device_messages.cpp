@@ -3,7 +3,7 @@
 
 #include "core/device/line/line_device_impl.h"
 
-#include "core/record/device_words.h"
+#include "core/device/line/wire_words.h"
 
 #include <type_traits>
 #include <utility>
@@ -65,32 +65,35 @@ void LineDevice::Impl::process(const line::UnsupportedIdent& ident) {
 }
 
 void LineDevice::Impl::process(const line::Ok& ok) {
-    if (ok.request == "STOP")
+    const DeviceRequest request = line::requestOfType(ok.request);
+    if (request == DeviceRequest::Stop)
         stop.confirm();
-    if (ok.request == "DISABLE")
+    if (request == DeviceRequest::Disable)
         disable.confirm();
-    if (ok.request == "ENABLE")
+    if (request == DeviceRequest::Enable)
         awaitsEnabled = true;
-    if (ok.request == "HOME" || ok.request == "CLEAR")
-        note(notice::Acknowledged{deviceRequestFromWord(ok.request)});
-    if (pending.answered(ok.request) && ok.request == "PERIOD") {
+    if (request == DeviceRequest::Reference || request == DeviceRequest::Clear)
+        note(notice::Acknowledged{request});
+    if (pending.answered(request) && request == DeviceRequest::Period) {
         feedback.period = options.desiredPeriod;
         periodTries = 0;
     }
 }
 
 void LineDevice::Impl::process(const line::Err& err) {
-    DeviceRefusal refusal{deviceRequestFromWord(err.request), refusalReasonFromCode(err.code), err.code};
+    const DeviceRequest request = line::requestOfType(err.request);
+    DeviceRefusal refusal{request, line::reasonOfCode(err.code), err.code};
     if (!err.text.empty())
         refusal.text += ' ' + err.text;
-    if (refusal.request == DeviceRequest::Other)
+    if (request == DeviceRequest::Other)
         refusal.text = err.request + ' ' + refusal.text;
-    if (err.request == "HELLO" || err.request == "STOP") // asked again until it is confirmed
+    if (request == DeviceRequest::Hello ||
+        request == DeviceRequest::Stop) // asked again until it is confirmed
         return reportOnce(std::move(refusal));
-    if (err.request == "DISABLE")
+    if (request == DeviceRequest::Disable)
         disable.confirm();
-    pending.answered(err.request);
-    if (err.request == "PERIOD") {
+    pending.answered(request);
+    if (request == DeviceRequest::Period) {
         periodTries = 0;
         periodRefused = true;
     }
@@ -122,11 +125,11 @@ void LineDevice::Impl::process(const line::Len& len, Time time) {
     feedback.acceptedSetPoint = len.setNumber < 0 ? std::nullopt : std::optional(len.setNumber);
     if (len.state == ControllerState::Disabled && disable.active()) {
         disable.confirm();
-        pending.answered("DISABLE");
+        pending.answered(DeviceRequest::Disable);
     }
     if (len.state == ControllerState::Stopped) {
         stop.confirm();
-        pending.answered("STOP");
+        pending.answered(DeviceRequest::Stop);
     }
 }
 

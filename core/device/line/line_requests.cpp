@@ -30,27 +30,27 @@ std::optional<LineMessage> messageOf(DeviceRequest request) {
     return std::nullopt;
 }
 
-void PendingRequests::sent(std::string_view type, Time time) {
-    answered(type);
-    m_pending.push_back({std::string(type), time});
+void PendingRequests::sent(DeviceRequest request, Time time) {
+    answered(request);
+    m_pending.push_back({request, time});
 }
 
-bool PendingRequests::answered(std::string_view type) {
-    return std::erase_if(m_pending, [type](const Pending& p) { return p.type == type; }) > 0;
+bool PendingRequests::answered(DeviceRequest request) {
+    return std::erase_if(m_pending, [request](const Pending& p) { return p.request == request; }) > 0;
 }
 
-bool PendingRequests::waitsFor(std::string_view type) const {
+bool PendingRequests::waitsFor(DeviceRequest request) const {
     return std::any_of(m_pending.begin(), m_pending.end(),
-                       [type](const Pending& p) { return p.type == type; });
+                       [request](const Pending& p) { return p.request == request; });
 }
 
-std::vector<std::string> PendingRequests::takeOverdue(Time time, std::chrono::milliseconds answerWithin) {
-    std::vector<std::string> overdue;
+std::vector<DeviceRequest> PendingRequests::takeOverdue(Time time, std::chrono::milliseconds answerWithin) {
+    std::vector<DeviceRequest> overdue;
     for (const Pending& pending : m_pending)
         if (time - pending.sentAt > answerWithin)
-            overdue.push_back(pending.type);
-    for (const std::string& type : overdue)
-        answered(type);
+            overdue.push_back(pending.request);
+    for (const DeviceRequest request : overdue)
+        answered(request);
     return overdue;
 }
 
@@ -59,7 +59,7 @@ void Repeater::begin(Time time) {
     m_nextDue = time;
 }
 
-bool Repeater::takeDue(Time time, std::chrono::milliseconds every, std::chrono::milliseconds giveUpAfter) {
+bool Repeater::sendsNow(Time time, std::chrono::milliseconds every, std::chrono::milliseconds giveUpAfter) {
     if (!m_begun || time < m_nextDue)
         return false;
     if (time - *m_begun > giveUpAfter) {

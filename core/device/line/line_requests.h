@@ -7,8 +7,6 @@
 
 #include <chrono>
 #include <optional>
-#include <string>
-#include <string_view>
 #include <vector>
 
 namespace hexapose::line {
@@ -21,17 +19,17 @@ class PendingRequests {
 public:
     using Time = std::chrono::steady_clock::time_point;
 
-    void sent(std::string_view type, Time time);
-    /// True when the type was waited for.
-    bool answered(std::string_view type);
-    bool waitsFor(std::string_view type) const;
-    /// The types that have waited longer; they are waited for no more.
-    std::vector<std::string> takeOverdue(Time time, std::chrono::milliseconds answerWithin);
+    void sent(DeviceRequest request, Time time);
+    /// True when the request was waited for.
+    bool answered(DeviceRequest request);
+    bool waitsFor(DeviceRequest request) const;
+    /// Those that have waited longer; they are waited for no more.
+    std::vector<DeviceRequest> takeOverdue(Time time, std::chrono::milliseconds answerWithin);
     void clear() { m_pending.clear(); }
 
 private:
     struct Pending {
-        std::string type;
+        DeviceRequest request;
         Time sentAt;
     };
     std::vector<Pending> m_pending;
@@ -45,8 +43,8 @@ public:
     void begin(Time time);
     void confirm() { m_begun.reset(); }
     bool active() const { return m_begun.has_value(); }
-    /// Whether to send it now; ends by itself after giveUpAfter.
-    bool takeDue(Time time, std::chrono::milliseconds every, std::chrono::milliseconds giveUpAfter);
+    /// Whether to send it now, which counts as sent; ends by itself after giveUpAfter.
+    bool sendsNow(Time time, std::chrono::milliseconds every, std::chrono::milliseconds giveUpAfter);
 
 private:
     std::optional<Time> m_begun;

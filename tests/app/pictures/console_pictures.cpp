@@ -68,11 +68,14 @@ private:
         }
         auto* run = m_window.findChild<QPushButton*>(QStringLiteral("run"));
         if (!m_pressed && rests && now.measuredPose && !now.stale && run->isEnabled()) {
-            m_window.motionPanel().findChild<QComboBox*>()->setCurrentIndex(1); // workspace mode
-            m_start = now.measuredPose->offset;
-            m_window.targetPanel().setTarget(kTargets[m_next]);
-            m_pressed = run->isEnabled();
-            run->click();
+            if (std::exchange(m_typed, m_next) == m_next) { // and its plan is there
+                m_start = now.measuredPose->offset;
+                m_pressed = true;
+                run->click();
+            } else {
+                m_window.motionPanel().findChild<QComboBox*>()->setCurrentIndex(1); // workspace mode
+                m_window.targetPanel().setTarget(kTargets[m_next]);
+            }
         }
         if (now.state == RunState::Moving) {
             m_moving = true;
@@ -98,6 +101,7 @@ private:
     QTimer m_timer;
     Eigen::Vector3d m_start = Eigen::Vector3d::Zero();
     std::size_t m_next = 0;
+    std::optional<std::size_t> m_typed; ///< the target that stands in the fields
     bool m_pressed = false;
     bool m_moving = false;
 };

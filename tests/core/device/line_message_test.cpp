@@ -3,7 +3,9 @@
 
 #include "core/device/line/line_message.h"
 
+#include "core/device/line/line_requests.h"
 #include "core/device/line/wire_number.h"
+#include "core/device/line/wire_words.h"
 
 #include <gtest/gtest.h>
 
@@ -52,6 +54,42 @@ TEST(Messages, AMeasurementTellsAStateOfTheProtocol) {
         else
             EXPECT_TRUE(std::holds_alternative<Malformed>(read)) << letter;
     }
+}
+
+/// The words of answers are the protocol's, whatever the log calls a request.
+TEST(Messages, AnswersNameTheRequestAsItsMessageDoes) {
+    for (const DeviceRequest request : {DeviceRequest::Reference, DeviceRequest::Enable,
+                                        DeviceRequest::Disable, DeviceRequest::Stop, DeviceRequest::Clear})
+        EXPECT_EQ(requestOfType(payloadOf(*messageOf(request))), request);
+    const std::pair<LineMessage, DeviceRequest> others[] = {{Set{}, DeviceRequest::SetPoint},
+                                                            {Period{}, DeviceRequest::Period},
+                                                            {Hello{}, DeviceRequest::Hello},
+                                                            {Ident{}, DeviceRequest::Identity}};
+    for (const auto& [message, request] : others) {
+        const std::string payload = payloadOf(message);
+        EXPECT_EQ(requestOfType(payload.substr(0, payload.find(','))), request) << payload;
+    }
+    for (const char* none : {"", "home", "HOM", "OK", "LEN"})
+        EXPECT_EQ(requestOfType(none), DeviceRequest::Other) << none;
+    EXPECT_EQ(reasonOfCode("STATE"), RefusalReason::State);
+    EXPECT_EQ(reasonOfCode("RANGE"), RefusalReason::Range);
+    EXPECT_EQ(reasonOfCode("FORMAT"), RefusalReason::Format);
+    EXPECT_EQ(reasonOfCode("state"), RefusalReason::Other);
+}
+
+TEST(PendingRequests, AreAnsweredOrOverdueOnce) {
+    using namespace std::chrono_literals;
+    const PendingRequests::Time begin{};
+    PendingRequests pending;
+    pending.sent(DeviceRequest::Enable, begin);
+    pending.sent(DeviceRequest::Period, begin + 500ms);
+    pending.sent(DeviceRequest::Clear, begin);
+    EXPECT_TRUE(pending.answered(DeviceRequest::Clear));
+    EXPECT_FALSE(pending.answered(DeviceRequest::Clear));
+    EXPECT_FALSE(pending.answered(DeviceRequest::Other));
+    EXPECT_EQ(pending.takeOverdue(begin + 1001ms, 1000ms), std::vector{DeviceRequest::Enable});
+    EXPECT_FALSE(pending.waitsFor(DeviceRequest::Enable));
+    EXPECT_TRUE(pending.waitsFor(DeviceRequest::Period));
 }
 
 TEST(WireNumbers, AreShortPlainDecimals) {

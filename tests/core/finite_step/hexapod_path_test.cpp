@@ -36,7 +36,7 @@ TEST(LegPath, HomeIsWhatThePrototypeFound) {
 
 TEST(LegPath, AtLevelPosesTheRatioIsTheClosedForm) {
     const PlatformGeometry machine = laboratoryAtJoints();
-    const HexapodSteps steps(machine);
+    const HexapodSteps steps{PlatformModel(machine)};
     const auto oracle = [&](const Pose& pose) {
         const double height = 272.9 + mmFromMetres(pose.offset[2]);
         const double lengths = legLengths(machine, pose).unaryExpr(&mmFromMetres).prod();

@@ -88,7 +88,7 @@ TEST(Mechanism, TheHexapodCoreIsTheAssembledSystem) {
     for (const PlatformGeometry& machine : {laboratoryAtJoints(), octahedral(), asymmetric()}) {
         SCOPED_TRACE(machine.name);
         const StepSystem system(mechanismOf(machine), machine.name);
-        const HexapodSteps core(machine);
+        const HexapodSteps core{PlatformModel(machine)};
         Pose target = poseMmDeg(20, -10, 25, 10, -8, 12);
         target.offset *= machine.size() / 0.3;
         const LegLengths home = machine.homeLengths(), change = legLengths(machine, target) - home;

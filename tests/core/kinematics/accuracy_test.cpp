@@ -25,6 +25,7 @@ double turnBetween(const Pose& a, const Pose& b) {
 TEST(PoseAccuracy, TheExactPoseIsWithinTheBound) {
     for (const PlatformGeometry& machine : {laboratory(), octahedral(), asymmetric(),
                                             scaledBy(1e-3, laboratory()), scaledBy(1e3, asymmetric())}) {
+        const PlatformModel model(machine);
         RandomPoses poses(0.1 * machine.size(), radiansFromDeg(25.0), 77), errors(machine.size(), 1.0, 78);
         for (const double error : {0.0, 1e-12, 1e-9, 1e-6, 1e-4, 2e-3}) {
             double tightest = 0.0;
@@ -32,7 +33,7 @@ TEST(PoseAccuracy, TheExactPoseIsWithinTheBound) {
                 const Pose exact = poses.next();
                 const Pose computed = Pose::fromVector(exact.toVector() + error * errors.next().toVector());
                 const double residual = (legLengths(machine, computed) - legLengths(machine, exact)).norm();
-                const PoseAccuracy accuracy = poseAccuracy(machine, computed, residual);
+                const PoseAccuracy accuracy = poseAccuracy(model, computed, residual);
                 const double offset = (computed.offset - exact.offset).norm(),
                              turn = turnBetween(computed, exact);
                 ASSERT_LE(offset, accuracy.offsetBound) << machine.name << " error " << error;
@@ -51,6 +52,7 @@ TEST(PoseAccuracy, TheExactPoseIsWithinTheBound) {
 
 TEST(PoseAccuracy, HoldsForWhatNewtonStopsAt) {
     const PlatformGeometry machine = laboratory();
+    const PlatformModel model(machine);
     for (const double tolerance : {1e-3, 1e-5, 1e-8, 1e-10}) {
         const NewtonRaphson newton(machine, {tolerance, 50});
         RandomPoses poses = publishedPoses(2, 5);
@@ -58,7 +60,7 @@ TEST(PoseAccuracy, HoldsForWhatNewtonStopsAt) {
             const Pose exact = poses.next();
             const ForwardResult result = newton.solve(legLengths(machine, exact), Pose{});
             ASSERT_EQ(result.status, SolveStatus::Converged);
-            const PoseAccuracy accuracy = poseAccuracy(machine, result.pose, result.residual);
+            const PoseAccuracy accuracy = poseAccuracy(model, result.pose, result.residual);
             ASSERT_LE((result.pose.offset - exact.offset).norm(), accuracy.offsetBound);
             ASSERT_LE(turnBetween(result.pose, exact), accuracy.angleBound);
         }
@@ -67,9 +69,10 @@ TEST(PoseAccuracy, HoldsForWhatNewtonStopsAt) {
 
 TEST(PoseAccuracy, GivesNoBoundWhereThereIsNone) {
     const PlatformGeometry machine = laboratory();
-    EXPECT_TRUE(std::isinf(poseAccuracy(machine, Pose{}, 0.1).offsetBound));
-    EXPECT_TRUE(std::isinf(poseAccuracy(similarHexagons(), Pose{}, 1e-12).angleBound));
-    const PoseAccuracy home = poseAccuracy(machine, Pose{}, 0.0);
+    const PlatformModel model(machine);
+    EXPECT_TRUE(std::isinf(poseAccuracy(model, Pose{}, 0.1).offsetBound));
+    EXPECT_TRUE(std::isinf(poseAccuracy(PlatformModel(similarHexagons()), Pose{}, 1e-12).angleBound));
+    const PoseAccuracy home = poseAccuracy(model, Pose{}, 0.0);
     EXPECT_NEAR(home.smallestSingularValue, singularityMeasure(machine, Pose{}).smallestSingularValue, 1e-15);
     EXPECT_LT(home.offsetBound, 1e-14);
 }

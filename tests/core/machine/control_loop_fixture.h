@@ -32,9 +32,9 @@ protected:
     ControlLoopTest() { rebuild({}); }
     void rebuild(const ControlOptions& options, std::unique_ptr<Planner> planner = nullptr) {
         if (!planner)
-            planner = std::make_unique<ImmediatePlanner>(m_geometry);
+            planner = std::make_unique<ImmediatePlanner>(m_model);
         m_loop = std::make_unique<ControlLoop>(
-            m_device, m_geometry, m_solver, options, [this](const Snapshot& s) { take(s); }, m_device.clock(),
+            m_device, m_model, m_solver, options, [this](const Snapshot& s) { take(s); }, m_device.clock(),
             std::move(planner));
     }
     void take(const Snapshot& snapshot) {
@@ -103,6 +103,7 @@ protected:
     }
 
     PlatformGeometry m_geometry = loadPlatform(HEXAPOSE_SOURCE_DIR "/resources/platforms/laboratory.toml");
+    SharedModel m_model = makeModel(m_geometry);
     ScriptedDevice m_device{m_geometry};
     NewtonRaphson m_solver{m_geometry, NewtonOptions{}};
     Snapshot m_last;

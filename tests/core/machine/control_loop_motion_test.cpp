@@ -82,6 +82,41 @@ TEST_F(ControlLoopMotion, AMeasuredPoseNearASingularOneStopsTheMotion) {
     EXPECT_EQ(m_last.state, RunState::Stopped);
     EXPECT_EQ(detailOf(EventCode::StoppedOnLimits), "near singular") << formatEvents(m_events);
     EXPECT_GT(turned.angles.gamma, radiansFromDeg(60));
+    const auto limit = std::find_if(m_events.begin(), m_events.end(),
+                                    [](const Event& e) { return e.code == EventCode::StoppedOnLimits; });
+    ASSERT_NE(limit, m_events.end());
+    EXPECT_LT(limit->get<MotionCheck>()->value, limit->get<MotionCheck>()->bound);
+    EXPECT_GT(*m_last.determinantRatio, 0.0);
+}
+
+/// Takes every length for those of one pose, as a solver that does not look at the side may.
+class OnePose final : public ForwardSolver {
+public:
+    ForwardResult solve(const LegLengths&, const Pose&) const noexcept override {
+        return {pose, SolveStatus::Converged, 1, 0.0};
+    }
+    std::string_view name() const noexcept override { return "one-pose"; }
+    Pose pose;
+};
+
+TEST_F(ControlLoopMotion, AMeasuredPoseBeyondTheSingularOnesStopsTheMotionAndIsReportedAsThat) {
+    OnePose solver;
+    m_loop = std::make_unique<ControlLoop>(
+        m_device, m_geometry, solver, ControlOptions{}, [this](const Snapshot& s) { take(s); },
+        m_device.clock(), std::make_unique<ImmediatePlanner>(m_geometry));
+    startMoving();
+    solver.pose.angles.gamma = radiansFromDeg(140.0);
+    cycles(1);
+    ASSERT_LT(*m_last.determinantRatio, 0.0);
+    ASSERT_GT(*m_last.smallestSingularValue, motionLimits(m_geometry, {}, {}).singularityMargin)
+        << "far from singular again";
+    EXPECT_EQ(m_last.state, RunState::Stopped);
+    EXPECT_EQ(detailOf(EventCode::StoppedOnLimits), "across the singular poses") << formatEvents(m_events);
+    const auto limit = std::find_if(m_events.begin(), m_events.end(),
+                                    [](const Event& e) { return e.code == EventCode::StoppedOnLimits; });
+    ASSERT_NE(limit, m_events.end());
+    EXPECT_DOUBLE_EQ(limit->get<MotionCheck>()->value, *m_last.determinantRatio);
+    EXPECT_EQ(limit->get<MotionCheck>()->bound, 0.0);
 }
 
 TEST_F(ControlLoopMotion, ARefusalThatRepeatsIsReportedOnceASecond) {
@@ -101,7 +136,7 @@ TEST_F(ControlLoopMotion, APlanThatComesWithTheRunIsUsedIfItStillFits) {
     limits.legAcceleration = options.bounds.legAcceleration;
     const auto planFor = [&](const MotionLimits& under) {
         return std::make_shared<const PlannedMotion>(planMotion(
-            m_geometry, options.bounds, under, options.settleWindow.distance,
+            *m_model, options.bounds, under, options.settleWindow.distance,
             {*m_last.commandedLengths, *m_last.measuredPose}, StraightMove{target(), MotionMode::Workspace}));
     };
     m_loop->post(RunCommand{target(), MotionMode::Workspace, 42, planFor(limits)});
@@ -114,7 +149,7 @@ TEST_F(ControlLoopMotion, APlanThatComesWithTheRunIsUsedIfItStillFits) {
     high.offset.z() = 0.090;
     limits.maxLength.setConstant(1.0);
     const auto wide = std::make_shared<const PlannedMotion>(planMotion(
-        m_geometry, options.bounds, limits, options.settleWindow.distance,
+        *m_model, options.bounds, limits, options.settleWindow.distance,
         {*m_last.commandedLengths, *m_last.measuredPose}, StraightMove{high, MotionMode::Workspace}));
     ASSERT_TRUE(wide->check.ok());
     m_events.clear();
@@ -127,12 +162,12 @@ TEST_F(ControlLoopMotion, APlanThatComesWithTheRunIsUsedIfItStillFits) {
 /// Hands out its plan once the test allows it.
 class SlowPlanner final : public Planner {
 public:
-    explicit SlowPlanner(const PlatformGeometry& geometry) : m_planner(geometry) {}
+    explicit SlowPlanner(SharedModel model) : m_planner(std::move(model)) {}
     void submit(const PlanJob& job) override {
         m_planner.submit(job);
         ++submitted;
     }
-    std::shared_ptr<const PlannedMotion> take() override { return ready ? m_planner.take() : nullptr; }
+    SharedPlan take() override { return ready ? m_planner.take() : nullptr; }
     bool ready = false;
     int submitted = 0;
 
@@ -141,7 +176,7 @@ private:
 };
 
 TEST_F(ControlLoopMotion, SetPointsGoOnWhileAMotionIsPlanned) {
-    auto owned = std::make_unique<SlowPlanner>(m_geometry);
+    auto owned = std::make_unique<SlowPlanner>(m_model);
     SlowPlanner& planner = *owned;
     rebuild({}, std::move(owned));
     enable();
@@ -174,8 +209,45 @@ TEST_F(ControlLoopMotion, SetPointsGoOnWhileAMotionIsPlanned) {
     EXPECT_FALSE(anySetPointSince(mark));
 }
 
+/// Planned once per request: the planner beside the loop is asked only where what came does not fit.
+TEST_F(ControlLoopMotion, ARunThatBringsItsPlanIsNotPlannedAgain) {
+    auto owned = std::make_unique<SlowPlanner>(m_model);
+    SlowPlanner& planner = *owned;
+    planner.ready = true;
+    rebuild({}, std::move(owned));
+    enable();
+    ControlOptions fast;
+    fast.bounds.speed = 10.0;
+    fast.bounds.jerk = 100.0;
+    ControlOptions slack;
+    slack.settleWindow.distance = 0.01;
+    const auto planUnder = [&](const ControlOptions& options, const Pose& to, double raised = 0.0) {
+        const MotionPlanner beside(m_model, plannerSettings(options, m_geometry));
+        PlanStart start{*m_last.commandedLengths, *m_last.measuredPose};
+        start.setPoint.array() += raised;
+        return std::make_shared<const PlannedMotion>(
+            beside.plan(start, StraightMove{to, MotionMode::Workspace}));
+    };
+    const auto asksThePlanner = [&](const SharedPlan& plan) {
+        EXPECT_TRUE(plan->check.ok());
+        const int before = planner.submitted;
+        m_loop->post(RunCommand{target(), MotionMode::Workspace, 7, plan});
+        until(RunState::Moving);
+        until(RunState::Enabled);
+        m_loop->post(RunCommand{Pose{}, MotionMode::Workspace, 8, planUnder({}, Pose{})});
+        until(RunState::Moving);
+        until(RunState::Enabled);
+        return planner.submitted - before;
+    };
+    EXPECT_EQ(asksThePlanner(planUnder({}, target())), 0);
+    EXPECT_EQ(asksThePlanner(planUnder({}, Pose{})), 1) << "of another target";
+    EXPECT_EQ(asksThePlanner(planUnder(fast, target())), 1) << "with other bounds";
+    EXPECT_EQ(asksThePlanner(planUnder(slack, target())), 1) << "with more slack at the strokes";
+    EXPECT_EQ(asksThePlanner(planUnder({}, target(), 0.005)), 1) << "from another start";
+}
+
 TEST_F(ControlLoopMotion, APlanWhoseStartIsLeftIsMadeAnewAndThenRefused) {
-    auto owned = std::make_unique<SlowPlanner>(m_geometry);
+    auto owned = std::make_unique<SlowPlanner>(m_model);
     SlowPlanner& planner = *owned;
     planner.ready = true;
     rebuild({}, std::move(owned));

@@ -14,6 +14,8 @@ namespace {
 using namespace std::chrono_literals;
 using testing::kSettleWindow;
 using testing::target;
+constexpr MotionId kRunId = 7;
+constexpr MotionId kJogId = 8;
 
 class ControlLoopRules : public testing::ControlLoopTest {
 protected:
@@ -45,8 +47,8 @@ protected:
         ASSERT_EQ(m_last.held, held);
     }
     const std::map<Command, OperatorCommand> m_commands{
-        {Command::Run, RunCommand{Pose{{0.0, 0.0, 0.005}, {}}, MotionMode::Joint, 7}},
-        {Command::Jog, JogCommand{{2, true, JogFrame::Base}, 1.0, 8}},
+        {Command::Run, RunCommand{Pose{{0.0, 0.0, 0.005}, {}}, MotionMode::Joint, kRunId}},
+        {Command::Jog, JogCommand{{2, true, JogFrame::Base}, 1.0, kJogId}},
         {Command::Stop, StopCommand{}},
         {Command::Reference, ReferenceCommand{}},
         {Command::Enable, EnableCommand{}},
@@ -80,6 +82,12 @@ TEST_F(ControlLoopRules, ARefusedCommandChangesNothingAndSendsNothing) {
             EXPECT_EQ(m_events[0].code, EventCode::CommandRefused);
             EXPECT_EQ(payloadWords(m_events[0]),
                       std::string(toWord(command)) + " in " + std::string(toWord(state)));
+            const auto* refusal = m_events[0].get<CommandRefusal>();
+            ASSERT_NE(refusal, nullptr);
+            EXPECT_EQ(refusal->allowed, before.allowed) << "what could be asked for in its place";
+            EXPECT_EQ(refusal->id, command == Command::Run   ? kRunId
+                                   : command == Command::Jog ? kJogId
+                                                             : kNoMotion);
             EXPECT_EQ(m_last.state, before.state);
             EXPECT_EQ(m_last.held, before.held);
             EXPECT_EQ(m_last.allowed, before.allowed);
@@ -232,6 +240,51 @@ TEST_F(ControlLoopRules, AStopPressedBeforeTheControllerIsKnownIsRemembered) {
     run();
     cycles(2);
     EXPECT_TRUE(saw(EventCode::CommandRefused));
+}
+
+TEST_F(ControlLoopRules, AStopPressedWhileThePortIsLostIsRememberedAndSentWhenItIsBack) {
+    for (const RunState lostIn : {RunState::Unreferenced, RunState::Disabled, RunState::Enabled,
+                                  RunState::Moving, RunState::Stopped, RunState::Fault}) {
+        SCOPED_TRACE(std::string(toWord(lostIn)));
+        bringTo(lostIn);
+        m_device.link = LinkState::Lost;
+        cycles(3);
+        ASSERT_EQ(m_last.state, RunState::Disconnected);
+        EXPECT_EQ(m_last.allowed, CommandSet{Command::Stop});
+        m_events.clear();
+        m_loop->post(StopCommand{});
+        cycles(20);
+        EXPECT_EQ(count(EventCode::StopRequested), 1);
+        EXPECT_FALSE(saw(EventCode::CommandRefused));
+        EXPECT_EQ(m_last.state, RunState::Disconnected);
+
+        const std::size_t mark = m_device.received.size();
+        m_device.link = LinkState::Connected;
+        cycles(20);
+        const std::vector<DeviceRequest> sent = requestsSince(mark);
+        ASSERT_FALSE(sent.empty());
+        EXPECT_EQ(m_device.received[mark].request, DeviceRequest::Stop) << "in the first cycle";
+        EXPECT_EQ(sent.size() == 2, lostIn == RunState::Moving) << "lost in mid-move it is disabled, too";
+        EXPECT_FALSE(anySetPointSince(mark));
+        EXPECT_EQ(m_last.state, lostIn == RunState::Fault ? RunState::Fault : RunState::Stopped);
+        EXPECT_FALSE(saw(EventCode::Enabled) || saw(EventCode::Disabled)) << formatEvents(m_events);
+        EXPECT_FALSE(m_last.allowed.contains(Command::Run));
+        EXPECT_TRUE(m_last.allowed.contains(Command::Clear));
+
+        m_loop->post(ClearCommand{});
+        cycles(3);
+        EXPECT_EQ(m_last.state, RunState::Disabled);
+    }
+}
+
+TEST_F(ControlLoopRules, OnlyAListenOnlySenderCannotBeStopped) {
+    m_device.link = LinkState::ListenOnly;
+    cycles(3);
+    EXPECT_EQ(m_last.allowed, CommandSet{});
+    m_loop->post(StopCommand{});
+    cycles(3);
+    EXPECT_EQ(detailOf(EventCode::CommandRefused), "stop in disabled");
+    EXPECT_TRUE(requestsSince(0).empty());
 }
 
 TEST_F(ControlLoopRules, ClearCountsOnceTheControllerConfirmedIt) {

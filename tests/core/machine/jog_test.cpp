@@ -5,6 +5,7 @@
 
 #include "tests/core/machine/simulated_fixture.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hexapose {
@@ -17,14 +18,34 @@ constexpr double kSettled = 2.5e-4; ///< m, of the resolution and the window
 class Jog : public SimulatedLoop {
 protected:
     /// Held for some cycles, said again in every fifth.
-    void hold(const JogDirection& direction, int count, double part = 1.0) {
+    void hold(const JogDirection& direction, int count, double part = 1.0, MotionId id = kNoMotion) {
         for (int k = 0; k < count; ++k) {
             if (k % 5 == 0)
-                m_loop->post(JogCommand{direction, part});
+                m_loop->post(JogCommand{direction, part, id});
             m_loop->cycle();
         }
     }
+    int starts() const {
+        return static_cast<int>(std::count_if(m_events.begin(), m_events.end(), [](const Event& e) {
+            return e.code == EventCode::JogStarted;
+        }));
+    }
+    /// Along x while repeats of a press arrive that is over; and that a new press jogs.
+    void expectNothingMoreOf(MotionId id, const JogDirection& direction, double farthest) {
+        const Pose before = truePose();
+        hold(direction, 200, 1.0, id);
+        EXPECT_EQ(m_last.state, RunState::Enabled);
+        EXPECT_EQ(starts(), 1);
+        EXPECT_LT(displacement(before, truePose()).head<3>().norm(), farthest);
+        hold(direction, 60, 1.0, id + 1);
+        EXPECT_EQ(m_last.state, RunState::Moving) << "another press is another jog";
+        EXPECT_EQ(starts(), 2);
+        EXPECT_FALSE(saw(EventCode::CommandRefused));
+    }
 };
+
+constexpr double kStoppingDistance = 0.012; ///< m, from full speed, with the lag of the legs
+constexpr MotionId kPress = 7;
 
 TEST_F(Jog, MovesAlongItsAxisWhileHeldAndRestsWhenReleased) {
     enable();
@@ -76,6 +97,72 @@ TEST_F(Jog, ThatIsNotSaidAgainComesToRest) {
     const Pose rest = truePose();
     cycles(100);
     EXPECT_LT(displacement(rest, truePose()).head<3>().norm(), kSettled);
+}
+
+TEST_F(Jog, PressThatWasReleasedStartsNothingMore) {
+    enable();
+    const JogDirection x{0, true};
+    hold(x, 100, 1.0, kPress);
+    ASSERT_EQ(m_last.state, RunState::Moving);
+    m_loop->post(JogReleaseCommand{});
+    m_loop->cycle();
+    ASSERT_EQ(m_last.state, RunState::Moving) << "it takes time to come to rest";
+    expectNothingMoreOf(kPress, x, kStoppingDistance);
+}
+
+TEST_F(Jog, PressThatTimedOutStartsNothingMoreWhileItSlowsDown) {
+    enable();
+    const JogDirection x{0, true};
+    hold(x, 100, 1.0, kPress);
+    cycles(25); // 250 ms
+    ASSERT_EQ(m_last.state, RunState::Moving);
+    expectNothingMoreOf(kPress, x, kStoppingDistance);
+}
+
+TEST_F(Jog, PressThatTimedOutStartsNothingMoreWhileItSettles) {
+    enable();
+    const JogDirection x{0, true};
+    hold(x, 100, 1.0, kPress);
+    until(RunState::Settling);
+    expectNothingMoreOf(kPress, x, kStoppingDistance);
+}
+
+TEST_F(Jog, PressThatSettledOrWasStoppedStartsNothingMore) {
+    enable();
+    const JogDirection x{0, true};
+    hold(x, 60, 1.0, kPress);
+    m_loop->post(JogReleaseCommand{});
+    until(RunState::Enabled);
+    expectNothingMoreOf(kPress, x, kSettled);
+    m_loop->post(StopCommand{}); // the next press, in the middle of its jog
+    until(RunState::Stopped);
+    m_loop->post(ClearCommand{});
+    until(RunState::Disabled);
+    m_loop->post(EnableCommand{});
+    until(RunState::Enabled);
+    hold(x, 60, 1.0, kPress + 1);
+    EXPECT_EQ(m_last.state, RunState::Enabled);
+    EXPECT_EQ(starts(), 2);
+}
+
+/// A motion of somebody else, and a press without an id, leave what is known of the press before.
+TEST_F(Jog, PressThatEndedIsRememberedBeyondTheNextMotion) {
+    enable();
+    const JogDirection x{0, true};
+    hold(x, 60, 1.0, kPress);
+    m_loop->post(JogReleaseCommand{});
+    until(RunState::Settling);
+    m_loop->post(RunCommand{Pose{}, MotionMode::Workspace, kPress + 10});
+    until(RunState::Moving);
+    m_loop->post(JogReleaseCommand{});
+    until(RunState::Enabled);
+    hold({1, true}, 20);
+    m_loop->post(JogReleaseCommand{});
+    until(RunState::Enabled);
+    const int before = starts();
+    hold(x, 60, 1.0, kPress);
+    EXPECT_EQ(m_last.state, RunState::Enabled);
+    EXPECT_EQ(starts(), before);
 }
 
 TEST_F(Jog, RestsBeforeAStrokeEndsAndSaysWhy) {

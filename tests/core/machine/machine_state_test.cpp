@@ -24,6 +24,9 @@ constexpr std::array kRunStates{S::Disconnected, S::Unreferenced, S::Disabled, S
                                 S::Moving,       S::Settling,     S::Stopped,  S::Fault};
 constexpr std::array kPendings{Pending::None, Pending::Plan, Pending::Motion, Pending::Clear,
                                Pending::Cleared};
+constexpr std::array kLinks{LinkState::Connecting, LinkState::Connected, LinkState::ListenOnly,
+                            LinkState::Lost};
+constexpr std::array kReports{E::IsUnreferenced, E::IsDisabled, E::IsEnabled, E::IsStopped, E::HasFault};
 constexpr std::array kLatches{Latch::None, Latch::Controller, Latch::Host, Latch::Operator};
 
 auto tied(const MachineState& s) {
@@ -269,6 +272,45 @@ TEST(MachineState, TheOperatorsStopEndsByTheOperatorsClearAlone) {
     const MachineState open = transition(stopped, E::IsDisabled).next;
     EXPECT_EQ(open.run, S::Disabled);
     EXPECT_EQ(open.latch, Latch::None);
+}
+
+/// Over every link but that to a listen-only sender; nothing else without a controller that accepts commands.
+TEST(MachineState, AStopIsAcceptedInEveryStateWhateverBecameOfTheLink) {
+    for (const MachineState& state : allStates())
+        for (const LinkState link : kLinks)
+            for (const Command command : kCommands) {
+                const bool row = transition(state, eventOf(command)).defined;
+                const bool wanted = link == LinkState::Connected
+                                        ? row
+                                        : command == Command::Stop && link != LinkState::ListenOnly;
+                EXPECT_EQ(allowedCommands(state, link).contains(command), wanted)
+                    << toWord(command) << " in " << nameOf(state) << ", link " << static_cast<int>(link);
+            }
+}
+
+TEST(MachineState, AStopWhileTheLinkIsGoneIsSentWhenItIsBackAndEndsByClearAlone) {
+    for (const MachineState& before : live()) {
+        const MachineState gone = transition(before, E::LinkGone).next;
+        const Transition pressed = transition(gone, E::Stop);
+        EXPECT_TRUE(sendsStop(pressed.action)) << nameOf(gone) << ": a port may be there already";
+        EXPECT_EQ(pressed.next.run, S::Disconnected);
+        EXPECT_EQ(pressed.next.latch, Latch::Operator);
+        EXPECT_EQ(pressed.next.owesStop, gone.owesStop);
+        const MachineState stillGone = transition(pressed.next, E::LinkGone).next;
+        EXPECT_EQ(stillGone, pressed.next) << nameOf(gone);
+        for (const E report : kReports) {
+            const Transition back = transition(stillGone, report);
+            SCOPED_TRACE(nameOf(gone) + " -> " + nameOf(back.next));
+            EXPECT_TRUE(sendsStop(back.action)) << "whatever it says";
+            EXPECT_EQ(back.next.run, report == E::HasFault ? S::Fault : S::Stopped);
+            EXPECT_EQ(back.next.latch, Latch::Operator);
+        }
+        for (const MachineState& after : reachable(stillGone, [](E e) { return e != E::Clear; }))
+            for (const Command command :
+                 {Command::Run, Command::Jog, Command::Reference, Command::Enable, Command::Resume})
+                EXPECT_FALSE(allowedCommands(after).contains(command))
+                    << toWord(command) << " in " << nameOf(after);
+    }
 }
 
 TEST(MachineState, AControllerThatLeavesItsStopOrFaultOpensItsOwnAlone) {

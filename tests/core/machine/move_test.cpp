@@ -30,11 +30,11 @@ protected:
 
 TEST_F(MoveTest, ReferencesThenEnablesThenIsReady) {
     Move move = made(ControllerState::Unreferenced);
-    EXPECT_EQ(move.takeRequest(), DeviceRequest::Reference);
-    EXPECT_EQ(move.takeRequest(), DeviceRequest::None) << "asked for once";
+    EXPECT_EQ(move.nextRequest(), DeviceRequest::Reference);
+    EXPECT_EQ(move.nextRequest(), DeviceRequest::None) << "asked for once";
     EXPECT_FALSE(move.update(ControllerState::Unreferenced, false, {}, m_start + 10ms));
     EXPECT_EQ(move.update(ControllerState::Disabled, false, {}, m_start + 20ms)->code, EventCode::Referenced);
-    EXPECT_EQ(move.takeRequest(), DeviceRequest::Enable);
+    EXPECT_EQ(move.nextRequest(), DeviceRequest::Enable);
     EXPECT_EQ(move.update(ControllerState::Enabled, false, {}, m_start + 30ms)->code, EventCode::Enabled);
     EXPECT_EQ(move.phase(), Phase::Ready);
     EXPECT_FALSE(move.update(ControllerState::Enabled, true, true, m_start + 40ms));

@@ -29,8 +29,8 @@ protected:
         m_events.clear();
         m_machine = std::make_unique<SimulatedMachine>(m_geometry, legs, period);
         m_loop = std::make_unique<ControlLoop>(
-            m_machine->device(), m_geometry, m_solver, options, [this](const Snapshot& s) { take(s); },
-            m_machine->clock(), std::make_unique<ImmediatePlanner>(m_geometry));
+            m_machine->device(), m_model, m_solver, options, [this](const Snapshot& s) { take(s); },
+            m_machine->clock(), std::make_unique<ImmediatePlanner>(m_model));
     }
     void take(const Snapshot& snapshot) {
         m_last = snapshot;
@@ -69,6 +69,7 @@ protected:
     }
 
     PlatformGeometry m_geometry = loadPlatform(HEXAPOSE_SOURCE_DIR "/resources/platforms/laboratory.toml");
+    SharedModel m_model = makeModel(m_geometry);
     NewtonRaphson m_solver{m_geometry, NewtonOptions{}};
     NewtonRaphson m_exact{m_geometry, NewtonOptions{}};
     Snapshot m_last;

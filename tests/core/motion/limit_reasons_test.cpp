@@ -59,9 +59,9 @@ TEST(LimitReasons, OfAMarginToTheSingularPoses) {
     const double smallest = singularityMeasure(laboratory(), pose).smallestSingularValue;
     MotionLimits limits = motionLimits(laboratory(), {}, {});
     limits.singularityMargin = 0.99 * smallest;
-    EXPECT_TRUE(checkPose(laboratory(), limits, pose).ok());
+    EXPECT_TRUE(checkPose(PlatformModel(laboratory()), limits, pose).ok());
     limits.singularityMargin = 1.01 * smallest;
-    const MotionCheck check = checkPose(laboratory(), limits, pose);
+    const MotionCheck check = checkPose(PlatformModel(laboratory()), limits, pose);
     EXPECT_EQ(check.reason, Reason::NearSingular);
     EXPECT_EQ(check.value, smallest);
     EXPECT_EQ(check.bound, limits.singularityMargin);

@@ -23,6 +23,7 @@ using testing::poseMm;
 class LimitsTest : public ::testing::Test {
 protected:
     PlatformGeometry m_geometry = testing::laboratory();
+    const PlatformModel m_model{m_geometry};
     MotionLimits m_limits = motionLimits(m_geometry, std::nullopt, std::nullopt);
 };
 
@@ -37,13 +38,13 @@ TEST_F(LimitsTest, NamesTheLegThatIsFurthestOutWithValueAndBound) {
     const LegLengths lengths = legLengths(m_geometry, high);
     int longest = 0;
     lengths.maxCoeff(&longest);
-    const MotionCheck check = checkPose(m_geometry, m_limits, high);
+    const MotionCheck check = checkPose(m_model, m_limits, high);
     EXPECT_EQ(check.reason, MotionCheck::Reason::LegAboveMax);
     EXPECT_EQ(check.leg, longest + 1);
     EXPECT_DOUBLE_EQ(check.value, lengths[longest]);
     EXPECT_DOUBLE_EQ(check.bound, 0.35);
     EXPECT_EQ(toWords(check), "leg " + std::to_string(longest + 1) + " above max_mm");
-    EXPECT_EQ(checkPose(m_geometry, m_limits, poseMm(0, 0, -60, 0, 0, 0)).reason,
+    EXPECT_EQ(checkPose(m_model, m_limits, poseMm(0, 0, -60, 0, 0, 0)).reason,
               MotionCheck::Reason::LegBelowMin);
 }
 
@@ -58,7 +59,7 @@ TEST_F(LimitsTest, AgreesWithTheStrokesOnRandomPoses) {
         const Pose pose = poseMm(mm(random), mm(random), mm(random), deg(random), deg(random), deg(random));
         const LegLengths lengths = legLengths(m_geometry, pose);
         const bool inside = lengths.minCoeff() >= 0.25 && lengths.maxCoeff() <= 0.35;
-        EXPECT_EQ(checkPose(m_geometry, m_limits, pose).ok(), inside);
+        EXPECT_EQ(checkPose(m_model, m_limits, pose).ok(), inside);
         accepted += inside ? 1 : 0;
     }
     EXPECT_GT(accepted, 200);
@@ -83,29 +84,29 @@ TEST_F(LimitsTest, RefusesNumbersThatAreNot) {
         PoseVector v = PoseVector::Zero();
         v[k] =
             k % 2 == 0 ? std::numeric_limits<double>::quiet_NaN() : std::numeric_limits<double>::infinity();
-        EXPECT_EQ(toWords(checkPose(m_geometry, m_limits, Pose::fromVector(v))), "invalid-input");
+        EXPECT_EQ(toWords(checkPose(m_model, m_limits, Pose::fromVector(v))), "invalid-input");
     }
 }
 
 TEST_F(LimitsTest, RefusesASingularPose) {
     m_limits.minLength.setZero();
     m_limits.maxLength.setConstant(10.0);
-    const MotionCheck check = checkPose(m_geometry, m_limits, poseMm(0, 0, 0, 0, 0, 90));
+    const MotionCheck check = checkPose(m_model, m_limits, poseMm(0, 0, 0, 0, 0, 90));
     EXPECT_EQ(check.reason, MotionCheck::Reason::NearSingular);
     EXPECT_LT(check.value, m_limits.singularityMargin);
 }
 
 TEST_F(LimitsTest, AcceptsTheLegPathOfAnOrdinaryMove) {
-    EXPECT_TRUE(checkLegPath(m_geometry, m_limits, Pose{}, poseMm(12, -4, 40, 0, 0, 5)).ok());
-    EXPECT_TRUE(checkLegPath(m_geometry, m_limits, poseMm(12, -4, 40, 0, 0, 5), Pose{}).ok());
+    EXPECT_TRUE(checkLegPath(m_model, m_limits, Pose{}, poseMm(12, -4, 40, 0, 0, 5)).ok());
+    EXPECT_TRUE(checkLegPath(m_model, m_limits, poseMm(12, -4, 40, 0, 0, 5), Pose{}).ok());
 }
 
 TEST_F(LimitsTest, RefusesALegPathThroughASingularityThoughBothEndsAreGood) {
     m_limits.minLength.setZero();
     m_limits.maxLength.setConstant(10.0);
     const Pose turned = poseMm(0, 0, -60, -80, -80, -120);
-    ASSERT_TRUE(checkPose(m_geometry, m_limits, turned).ok());
-    const MotionCheck check = checkLegPath(m_geometry, m_limits, Pose{}, turned);
+    ASSERT_TRUE(checkPose(m_model, m_limits, turned).ok());
+    const MotionCheck check = checkLegPath(m_model, m_limits, Pose{}, turned);
     EXPECT_EQ(check.reason, MotionCheck::Reason::PathNearSingular);
     EXPECT_GT(check.fraction, 0.5);
     EXPECT_LT(check.fraction, 1.0);
@@ -118,11 +119,10 @@ TEST_F(LimitsTest, RefusesALegPathThatEndsAtTheTwinOfTheTarget) {
     m_limits.minLength.setZero();
     m_limits.maxLength.setConstant(10.0);
     const Pose turned = poseMm(0, 0, 0, 0, 0, 120);
-    EXPECT_EQ(checkPose(m_geometry, m_limits, turned).reason, MotionCheck::Reason::WrongSideOfSingularity);
+    EXPECT_EQ(checkPose(m_model, m_limits, turned).reason, MotionCheck::Reason::WrongSideOfSingularity);
     m_limits.leastDeterminantRatio = -10.0;
-    ASSERT_TRUE(checkPose(m_geometry, m_limits, turned).ok());
-    EXPECT_EQ(checkLegPath(m_geometry, m_limits, Pose{}, turned).reason,
-              MotionCheck::Reason::OtherAssemblyMode);
+    ASSERT_TRUE(checkPose(m_model, m_limits, turned).ok());
+    EXPECT_EQ(checkLegPath(m_model, m_limits, Pose{}, turned).reason, MotionCheck::Reason::OtherAssemblyMode);
 }
 
 } // namespace

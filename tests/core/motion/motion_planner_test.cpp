@@ -42,7 +42,7 @@ protected:
     PlanStart startAt(const Pose& pose) const { return {legLengths(m_machine, pose), pose}; }
     PlannedMotion plan(const PlanStart& start, const MotionRequest& request,
                        const PlanBudget& budget = {}) const {
-        return planMotion(m_machine, m_bounds, m_limits, kStartSlack, start, request, budget);
+        return planMotion(m_model, m_bounds, m_limits, kStartSlack, start, request, budget);
     }
     Pose randomPose(double metres, double radians) {
         PoseVector v;
@@ -52,6 +52,7 @@ protected:
     }
 
     const PlatformGeometry m_machine = testing::laboratory();
+    const PlatformModel m_model{m_machine};
     const MotionBounds m_bounds = withDefaults(MotionBounds{}, m_machine);
     MotionLimits m_limits;
     std::mt19937_64 m_random{3};
@@ -72,7 +73,7 @@ TEST_F(MotionPlanner, DecidesInJointModeAsTheCheckOfTheLegPath) {
     for (int i = 0; i < kPlans; ++i) {
         const Pose from = randomPose(0.03, 0.3), to = randomPose(0.05, 0.5);
         const PlannedMotion planned = plan(startAt(from), StraightMove{to, MotionMode::Joint});
-        expectSame(planned.check, checkLegPath(m_machine, m_limits, from, to));
+        expectSame(planned.check, checkLegPath(m_model, m_limits, from, to));
         if (!planned.check.ok())
             continue;
         ++accepted;
@@ -91,9 +92,9 @@ TEST_F(MotionPlanner, DecidesInWorkspaceModeAsTheChecksOfTargetAndMotion) {
         const Pose from = randomPose(0.03, 0.3), to = randomPose(0.05, 0.5);
         const PlannedMotion planned = plan(startAt(from), StraightMove{to, MotionMode::Workspace});
         const MotionLimits along = limitsFrom(m_limits, legLengths(m_machine, from), kStartSlack);
-        const MotionCheck target = checkPose(m_machine, m_limits, to);
+        const MotionCheck target = checkPose(m_model, m_limits, to);
         expectSame(planned.check,
-                   target.ok() ? checkMotion(m_machine, along, StraightMotion(m_machine, from, to, m_bounds))
+                   target.ok() ? checkMotion(m_model, along, StraightMotion(m_model, from, to, m_bounds))
                                : target);
         if (!planned.check.ok())
             continue;
@@ -214,8 +215,8 @@ int looksOf(const PlatformGeometry& machine, const Pose& from, const StraightMov
     limits.legAcceleration = bounds.legAcceleration;
     int taken = 0;
     const PlanBudget budget{std::chrono::hours(100000), [&] { return std::chrono::seconds(taken++); }};
-    const PlannedMotion planned =
-        planMotion(machine, bounds, limits, kStartSlack, {legLengths(machine, from), from}, move, budget);
+    const PlannedMotion planned = planMotion(PlatformModel(machine), bounds, limits, kStartSlack,
+                                             {legLengths(machine, from), from}, move, budget);
     EXPECT_TRUE(planned.check.ok()) << static_cast<int>(planned.check.reason);
     return taken;
 }

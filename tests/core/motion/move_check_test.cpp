@@ -38,9 +38,9 @@ protected:
         m_limits.legSpeed = m_bounds.legSpeed;
         m_limits.legAcceleration = m_bounds.legAcceleration;
     }
-    StraightMotion motion(const Pose& from, const Pose& to) const { return {m_machine, from, to, m_bounds}; }
+    StraightMotion motion(const Pose& from, const Pose& to) const { return {m_model, from, to, m_bounds}; }
     MotionCheck checkMove(const Pose& from, const Pose& to) const {
-        return checkMotion(m_machine, m_limits, motion(from, to));
+        return checkMotion(m_model, m_limits, motion(from, to));
     }
     /// P so far from home, at right angles to a leg.
     Pose beside(double distance) const {
@@ -49,6 +49,7 @@ protected:
     }
     static constexpr int kLeg = 2;
     const PlatformGeometry m_machine = testing::laboratory();
+    const PlatformModel m_model{m_machine};
     const MotionBounds m_bounds = withDefaults(MotionBounds{}, m_machine);
     MotionLimits m_limits;
 };
@@ -93,8 +94,8 @@ TEST_F(MoveCheck, AcceptsWhatKeepsTheLimitsAndNothingElse) {
 /// A way at right angles to a leg: the leg is shortest in its middle.
 TEST_F(MoveCheck, SaysWhereOnTheWayAStrokeIsLeft) {
     m_limits.minLength[kLeg] = m_machine.homeLengths()[kLeg] + 1e-4;
-    ASSERT_TRUE(checkPose(m_machine, m_limits, beside(-0.02)).ok());
-    ASSERT_TRUE(checkPose(m_machine, m_limits, beside(0.02)).ok());
+    ASSERT_TRUE(checkPose(m_model, m_limits, beside(-0.02)).ok());
+    ASSERT_TRUE(checkPose(m_model, m_limits, beside(0.02)).ok());
     const MotionCheck check = checkMove(beside(-0.02), beside(0.02));
     EXPECT_EQ(check.reason, MotionCheck::Reason::LegBelowMin);
     EXPECT_EQ(check.leg, kLeg + 1);
@@ -212,11 +213,11 @@ TEST_F(MoveCheck, RefusesAMotionThatComesTooNearToTheOtherSide) {
 }
 
 TEST_F(MoveCheck, JudgesSweepsToo) {
-    EXPECT_TRUE(checkMotion(m_machine, m_limits, SineSweep(Pose{}, {2, 0.005, 0.1, 0.5, 10.0})).ok());
-    EXPECT_EQ(checkMotion(m_machine, m_limits, SineSweep(Pose{}, {2, 0.005, 0.1, 5.0, 10.0})).reason,
+    EXPECT_TRUE(checkMotion(m_model, m_limits, SineSweep(Pose{}, {2, 0.005, 0.1, 0.5, 10.0})).ok());
+    EXPECT_EQ(checkMotion(m_model, m_limits, SineSweep(Pose{}, {2, 0.005, 0.1, 5.0, 10.0})).reason,
               MotionCheck::Reason::LegSpeed);
     m_limits.legSpeed = m_limits.legAcceleration = 100.0;
-    EXPECT_EQ(checkMotion(m_machine, m_limits, SineSweep(Pose{}, {2, 0.080, 0.1, 1.0, 10.0})).leg > 0, true);
+    EXPECT_EQ(checkMotion(m_model, m_limits, SineSweep(Pose{}, {2, 0.080, 0.1, 1.0, 10.0})).leg > 0, true);
 }
 
 TEST_F(MoveCheck, RefusesAMotionThroughASingularPose) {

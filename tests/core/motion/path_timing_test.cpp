@@ -22,7 +22,7 @@ double unlimited(double) {
     return std::numeric_limits<double>::infinity();
 }
 
-/// Time of the maxSpeed way of length 1 from rest to rest under constant limits.
+/// Shortest time of a path of length 1 from rest to rest under constant limits.
 double closedForm(const PathBounds& b) {
     const auto toSpeed = [&](double v) {
         return v * b.jerk >= b.acceleration * b.acceleration ? v / b.acceleration + b.acceleration / b.jerk

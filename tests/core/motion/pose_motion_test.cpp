@@ -84,7 +84,7 @@ TEST(StraightMotion, IsStraightTurnsAboutOneAxisAndKeepsItsLimits) {
     const PlatformGeometry machine = laboratory();
     const MotionBounds bounds = withDefaults(MotionBounds{}, machine);
     const Pose from = poseMm(-10, 5, -12, 4, -3, 2), to = poseMm(20, -14, 25, -6, 8, 15);
-    const StraightMotion motion(machine, from, to, bounds);
+    const StraightMotion motion(PlatformModel(machine), from, to, bounds);
     expectConsistent(motion);
     const Twist way = displacement(from, to);
     double top = 0.0;
@@ -111,7 +111,7 @@ TEST(StraightMotion, SlowsDownWhereOnlyTheLegsAccelerationsAsk) {
     MotionBounds bounds = withDefaults(MotionBounds{}, machine);
     bounds.legAcceleration *= 0.05; // far below what P's own acceleration makes of it
     const Pose from = poseMm(-10, 5, -12, 4, -3, 2), to = poseMm(20, -14, 25, -6, 8, 15);
-    const StraightMotion motion(machine, from, to, bounds);
+    const StraightMotion motion(PlatformModel(machine), from, to, bounds);
     expectConsistent(motion);
     double largest = 0.0;
     LegLengths before = LegLengths::Zero();
@@ -131,7 +131,7 @@ TEST(StraightMotion, IsTheFastestUnderItsLimits) {
     MotionBounds bounds = withDefaults(MotionBounds{}, machine);
     bounds.legSpeed = bounds.legAcceleration = 1e3; // only P's limits count
     const Pose to = poseMm(0, 0, 20, 0, 0, 0);
-    const StraightMotion motion(machine, Pose{}, to, bounds);
+    const StraightMotion motion(PlatformModel(machine), Pose{}, to, bounds);
     const double v = bounds.speed, a = bounds.acceleration, j = bounds.jerk, length = 0.02;
     const double toSpeed = v / a + a / j;
     EXPECT_NEAR(motion.duration(), toSpeed + length / v, 1e-3) << "closed form of the seven-piece profile";
@@ -140,7 +140,7 @@ TEST(StraightMotion, IsTheFastestUnderItsLimits) {
 TEST(StraightMotion, OfNoLengthIsOverAtOnce) {
     const PlatformGeometry machine = laboratory();
     const Pose here = poseMm(3, 4, 5, 1, 2, 3);
-    const StraightMotion motion(machine, here, here, withDefaults(MotionBounds{}, machine));
+    const StraightMotion motion(PlatformModel(machine), here, here, withDefaults(MotionBounds{}, machine));
     EXPECT_EQ(motion.duration(), 0.0);
     EXPECT_EQ(motion.at(0.0).pose.toVector(), here.toVector());
     EXPECT_EQ(motion.at(1.0).twist, Twist::Zero());

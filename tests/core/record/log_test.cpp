@@ -34,7 +34,7 @@ TEST(Words, ReadBack) {
     }
     EXPECT_EQ(toWord(RunState::Unreferenced), "unreferenced");
     EXPECT_FALSE(runStateFromWord("Moving").has_value());
-    for (int i = 0; i <= static_cast<int>(EventCode::SolverChanged); ++i) {
+    for (std::size_t i = 0; i < eventCodeCount(); ++i) {
         const auto code = static_cast<EventCode>(i);
         EXPECT_EQ(eventCodeFromWord(toWord(code)), code);
     }

@@ -70,13 +70,32 @@ TEST(PoseSequence, EndsWithTheReasonWhateverStopsTheMove) {
           EventCode::StoppedOnLimits, EventCode::StoppedOnNewIdentity, EventCode::StoppedAfterLoss}) {
         PoseSequence sequence(twoTargets(), 1s);
         sequence.add(at(1s));
-        const EventData why = code == EventCode::CommandRefused
-                                  ? EventData(CommandRefusal{Command::Run, RunState::Moving})
-                                  : EventData(DeviceText{"why"});
+        const EventData why =
+            code == EventCode::CommandRefused
+                ? EventData(CommandRefusal{Command::Run, RunState::Moving, {}, sequence.id()})
+                : EventData(DeviceText{"why"});
         EXPECT_FALSE(sequence.add(at(2s, {{code, why}})));
         EXPECT_EQ(sequence.phase(), Step::Failed) << toWord(code);
         EXPECT_EQ(sequence.failure()->data.index(), why.index());
         EXPECT_FALSE(sequence.add(at(3s, {{EventCode::Settled}}))) << "a sequence that failed starts nothing";
+    }
+}
+
+/// By its id, not by the state: which states refuse a Run is the machine table's to say.
+TEST(PoseSequence, ItsOwnRunThatIsRefusedEndsItAndNoOther) {
+    for (const RunState state :
+         {RunState::Disconnected, RunState::Unreferenced, RunState::Disabled, RunState::Enabled,
+          RunState::Moving, RunState::Settling, RunState::Stopped, RunState::Fault}) {
+        SCOPED_TRACE(toWord(state));
+        PoseSequence sequence(twoTargets(), 1s, 70);
+        sequence.add(at(1s));
+        const auto refused = [&](MotionId id) {
+            return Event{EventCode::CommandRefused, CommandRefusal{Command::Run, state, CommandSet{}, id}};
+        };
+        sequence.add(at(2s, {refused(69), refused(kNoMotion)}));
+        EXPECT_EQ(sequence.phase(), Step::Moving);
+        sequence.add(at(3s, {refused(70)}));
+        EXPECT_EQ(sequence.phase(), Step::Failed);
     }
 }
 

@@ -23,9 +23,15 @@
 #include <functional>
 #include <stdexcept>
 #include <thread>
+#include <type_traits>
 
 namespace hexapose {
 namespace {
+
+struct UnnamedConnection {};
+static_assert(std::is_invocable_v<const ConnectionName&, SerialConnection>);
+static_assert(!std::is_invocable_v<const ConnectionName&, UnnamedConnection>,
+              "a kind of connection without a name in the log must not compile");
 
 using namespace std::chrono_literals;
 namespace fs = std::filesystem;
@@ -56,7 +62,7 @@ protected:
 
     SessionSetup setup() const {
         SessionSetup setup;
-        setup.geometry = geometry;
+        setup.model = model;
         setup.solver = std::make_shared<NewtonRaphson>(geometry, NewtonOptions{});
         setup.logDirectory = folder;
         setup.control.staleAfter = 60s;
@@ -88,6 +94,7 @@ protected:
     }
 
     PlatformGeometry geometry;
+    SharedModel model = makeModel(geometry);
     fs::path folder;
     std::unique_ptr<VirtualPlatformServer> server;
 };

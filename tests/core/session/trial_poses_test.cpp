@@ -20,7 +20,7 @@ PlatformGeometry laboratory() {
 }
 
 TEST(TrialPoses, BeginWithThePublishedPoseWhereItCanBeReached) {
-    const std::vector<Pose> poses = trialPoses(laboratory(), PoseEnvelope{}, 3);
+    const std::vector<Pose> poses = trialPoses(PlatformModel(laboratory()), PoseEnvelope{}, 3);
     ASSERT_EQ(poses.size(), 4U);
     EXPECT_DOUBLE_EQ(poses.front().offset.z(), 0.040);
 }
@@ -29,7 +29,7 @@ TEST(TrialPoses, StayInTheEnvelope) {
     PoseEnvelope envelope;
     envelope.furthest.head<3>().setConstant(0.005);
     envelope.furthest.tail<3>().setConstant(radiansFromDeg(2.0));
-    for (const Pose& pose : trialPoses(laboratory(), envelope, 3))
+    for (const Pose& pose : trialPoses(PlatformModel(laboratory()), envelope, 3))
         EXPECT_TRUE((pose.toVector().cwiseAbs().array() <= envelope.furthest.array()).all());
 }
 
@@ -47,7 +47,7 @@ TEST(TrialPoses, APlatformThatIsSingularEverywhereIsRefusedWithTheReason) {
         leg.maxLength = 0.310;
     }
     try {
-        trialPoses(geometry, PoseEnvelope{}, 3);
+        trialPoses(PlatformModel(geometry), PoseEnvelope{}, 3);
         FAIL() << "poses of a platform that has none";
     } catch (const InputError& error) {
         EXPECT_THAT(error.what(), testing::HasSubstr("similar"));
@@ -58,7 +58,7 @@ TEST(TrialPoses, APlatformThatIsSingularEverywhereIsRefusedWithTheReason) {
 TEST(TrialPoses, AnEnvelopeThatLeavesNothingIsRefused) {
     PoseEnvelope envelope;
     envelope.furthest.setConstant(1e-12);
-    EXPECT_THROW(trialPoses(laboratory(), envelope, 3), InputError);
+    EXPECT_THROW(trialPoses(PlatformModel(laboratory()), envelope, 3), InputError);
 }
 
 } // namespace

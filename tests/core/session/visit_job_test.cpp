@@ -48,7 +48,7 @@ VisitJob job(const VisitJob::Options& options = {}) {
 
 TEST(VisitJob, SetsTheSpeedRunsAndSamples) {
     VisitJob::Options options;
-    options.speed = 0.25;
+    options.speedOverride = 0.25;
     options.mode = MotionMode::Workspace;
     VisitJob visit = job(options);
     const auto first = visit.add(unconnected(0s));

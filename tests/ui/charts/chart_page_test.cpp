@@ -5,10 +5,13 @@
 #include "ui/charts/chart_page.h"
 #include "ui/plot/plot_curve.h"
 
+#include <QLabel>
 #include <QPushButton>
 #include <QTest>
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 namespace hexapose {
 namespace {
@@ -17,7 +20,8 @@ using testing::findByName;
 
 class ChartPageTest : public ::testing::Test {
 protected:
-    ChartPageTest() : page(loadPlatform(HEXAPOSE_SOURCE_DIR "/resources/platforms/laboratory.toml")) {
+    ChartPageTest()
+        : page(makeModel(loadPlatform(HEXAPOSE_SOURCE_DIR "/resources/platforms/laboratory.toml"))) {
         page.resize(900, 450);
         page.show();
     }
@@ -55,9 +59,17 @@ TEST_F(ChartPageTest, ShowsTheSixCoordinatesThenLegsThenErrors) {
     const auto shown = [this](std::size_t chart) {
         return page.history().valueAt(page.charts()[chart]->subject().measured, 0.5);
     };
+    const auto legendHas = [this](const char* word) {
+        const auto labels = page.findChildren<QLabel*>();
+        return std::any_of(labels.begin(), labels.end(), [word](const QLabel* label) {
+            return label->text().endsWith(QLatin1String(word));
+        });
+    };
     constexpr double kRounding = 1e-9;
     EXPECT_NEAR(shown(0), 10.0, kRounding);
+    EXPECT_TRUE(legendHas("path"));
     press("Legs");
+    EXPECT_TRUE(legendHas("set-point"));
     EXPECT_NEAR(shown(5), 300.0, kRounding);
     EXPECT_EQ(page.charts()[5]->verticalRange(), (AxisRange{250.0, 350.0, 50.0}));
     press("Errors");

@@ -3,9 +3,12 @@
 #include "tests/support/events.h"
 #include "tests/ui/console/synthetic_machine.h"
 #include "tests/ui/screen_reader.h"
+#include "ui/common/language.h"
 #include "ui/console/status/banner.h"
 
+#include <QCoreApplication>
 #include <QProgressBar>
+#include <QRegularExpression>
 
 #include <gtest/gtest.h>
 
@@ -39,11 +42,50 @@ TEST(Banner, SpeaksUpForWhatMustNotBeMissedAndIsGoneAfterwards) {
     snapshot.stale = false;
     banner.showSnapshot(snapshot, true);
     EXPECT_TRUE(message(banner).contains(QStringLiteral("without checksums")));
-    banner.showLogFailure(QStringLiteral("No space left on device"));
+    banner.showLogFailure(LogFailure{0, "No space left on device"});
     EXPECT_TRUE(message(banner).contains(QStringLiteral("No space left")));
     banner.showLogFailure({});
     banner.showClosed();
     EXPECT_TRUE(banner.isHidden());
+}
+
+TEST(Banner, TellsTheEndOfTheLoopFromALossOfTheConnection) {
+    Banner banner;
+    Snapshot snapshot; // as the session makes it when the loop is over
+    snapshot.state = RunState::Fault;
+    snapshot.link = LinkState::Lost;
+    snapshot.events.push_back(eventFrom("loop-failed X4"));
+    banner.showSnapshot(snapshot, true);
+    EXPECT_EQ(message(banner),
+              "The control loop ended: internal error \"X4\". Disconnect and connect again.");
+    EXPECT_EQ(toneOf(banner), Tone::Bad);
+    snapshot.events.clear();
+    banner.showSnapshot(snapshot, true);
+    EXPECT_TRUE(message(banner).startsWith(QStringLiteral("The control loop ended")));
+    banner.showClosed();
+    banner.showSnapshot(snapshot, true);
+    EXPECT_EQ(message(banner), "Connection lost - reconnecting");
+}
+
+TEST(Banner, TellsWhyTheLogIsNotCompleteInTheLanguageOfTheWindow) {
+    Banner banner;
+    banner.showLogFailure(LogFailure{12, {}});
+    EXPECT_EQ(message(banner), "The log is not complete: 12 rows were lost");
+    Snapshot snapshot;
+    snapshot.link = LinkState::Lost;
+    snapshot.events.push_back({EventCode::LinkLost, PortFailure{PortFailure::Kind::Gone, {}, {}}});
+    LanguageSwitch language;
+    ASSERT_TRUE(language.choose(QStringLiteral("zh_CN")));
+    QCoreApplication::sendPostedEvents();
+    const auto shown = [&banner] { return spokenText(banner, Banner::tr("Message")); };
+    const QRegularExpression english(QStringLiteral("[A-Za-z]"));
+    EXPECT_TRUE(shown().contains(QStringLiteral("12")));
+    EXPECT_FALSE(shown().contains(english)) << shown().toStdString();
+    banner.showSnapshot(snapshot, true);
+    EXPECT_FALSE(shown().contains(english)) << shown().toStdString();
+    ASSERT_TRUE(language.choose(QStringLiteral("en")));
+    QCoreApplication::sendPostedEvents();
+    EXPECT_EQ(message(banner), "Connection lost: the port is gone - reconnecting");
 }
 
 TEST(Banner, ShowsTheTrainingAndLetsItBeCancelled) {

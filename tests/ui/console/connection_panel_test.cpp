@@ -5,7 +5,9 @@
 #include "ui/common/language.h"
 #include "ui/console/status/connection_panel.h"
 
+#include <QApplication>
 #include <QComboBox>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QTest>
 
@@ -51,6 +53,31 @@ TEST_F(ConnectionPanelTest, OffersTheVirtualPlatformAndThePortsOfTheMoment) {
         find<QComboBox>("Baud rate")->setEditText(QString::fromLatin1(bad));
         EXPECT_FALSE(panel.choice()) << bad;
         EXPECT_FALSE(find("Connect")->isEnabled()) << bad;
+    }
+}
+
+TEST_F(ConnectionPanelTest, KeysStepThroughTheUsualBaudRates) {
+    panel.setChoice(SerialConnection{"/dev/ttyS0", 115200});
+    panel.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&panel));
+    auto* box = find<QComboBox>("Baud rate");
+    QTest::mouseClick(box->lineEdit(), Qt::LeftButton);
+    // With the focus, and as a program presses them in the field.
+    for (QWidget* at : std::initializer_list<QWidget*>{QApplication::focusWidget(), box->lineEdit()}) {
+        const auto after = [&](const char* typed, Qt::Key key) {
+            box->setEditText(QString::fromLatin1(typed));
+            QTest::keyClick(at, key);
+            return box->currentText().toStdString();
+        };
+        EXPECT_EQ(after("115200", Qt::Key_Up), "57600");
+        EXPECT_EQ(after("115200", Qt::Key_Down), "230400");
+        EXPECT_EQ(after("115200", Qt::Key_PageDown), "230400");
+        EXPECT_EQ(after("100000", Qt::Key_Down), "115200") << "from another one to its neighbours";
+        EXPECT_EQ(after("100000", Qt::Key_Up), "57600");
+        EXPECT_EQ(after("100000", Qt::Key_Up), "57600") << "again";
+        EXPECT_EQ(after("2000000", Qt::Key_PageUp), "921600");
+        EXPECT_EQ(after("2000000", Qt::Key_Down), "2000000") << "there is no higher one";
+        EXPECT_EQ(panel.choice(), ConnectionSpec(SerialConnection{"/dev/ttyS0", 2000000}));
     }
 }
 

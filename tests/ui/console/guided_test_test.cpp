@@ -8,8 +8,11 @@
 
 #include <QLabel>
 #include <QPushButton>
+#include <QTest>
 
 #include <gtest/gtest.h>
+
+#include <utility>
 
 namespace hexapose {
 namespace {
@@ -18,16 +21,23 @@ using namespace hexapose::testing;
 
 class GuidedTestTest : public ::testing::Test {
 protected:
-    GuidedTestTest() : geometry(laboratoryPlatform()), panel(geometry) {
-        QObject::connect(&panel, &GuidedTestPanel::runRequested, [this](const Pose& pose, MotionId id) {
-            asked.push_back(pose);
-            lastId = id;
-        });
+    GuidedTestTest() : geometry(laboratoryPlatform()), panel(makeModel(geometry)) {
+        QObject::connect(&panel, &GuidedTestPanel::runRequested,
+                         [this](const Pose& pose, MotionId id, const SharedPlan& plan) {
+                             asked.push_back(pose);
+                             plans.push_back(plan);
+                             lastId = id;
+                         });
         panel.setSolver(newtonSolver(geometry));
         panel.setConnected(true);
         panel.showSnapshot(snapshotAt(geometry, Pose{}, Pose{}, RunState::Enabled, now));
     }
+    /// Plans come by events, so that none has come before this.
+    bool isPlanned() {
+        return QTest::qWaitFor([this] { return !panel.isPlanning(); }, kPatienceMs);
+    }
     void feed(const Pose& at, RunState state, std::vector<Event> events = {}) {
+        ASSERT_TRUE(isPlanned());
         Snapshot snapshot = snapshotAt(geometry, at, published, state, now += 0.01);
         snapshot.events = std::move(events);
         snapshot.motionId = lastId;
@@ -51,6 +61,7 @@ protected:
     GuidedTestPanel panel;
     const Pose published = poseOf(12, -4, 40, 0, 0, 5);
     std::vector<Pose> asked;
+    std::vector<SharedPlan> plans; ///< sent with them
     MotionId lastId = kNoMotion;
     double now = 0.0;
 };
@@ -60,6 +71,8 @@ TEST_F(GuidedTestTest, GoesThereSettlesAveragesSolvesAndCompares) {
     EXPECT_FALSE(button()->isEnabled());
     feed(Pose{}, RunState::Enabled);
     ASSERT_EQ(asked.size(), 1U);
+    ASSERT_TRUE(plans[0]);
+    EXPECT_TRUE(plans[0]->isFor({asked[0], MotionMode::Joint}));
     EXPECT_TRUE(asked[0].toVector().isApprox(published.toVector(), 1e-12));
     EXPECT_EQ(activeStep(), 0);
     const Pose there = poseOf(12.002, -4, 40, 0, 0, 5.01);
@@ -96,8 +109,10 @@ TEST_F(GuidedTestTest, ARefusalLeavesTheLastResult) {
     const MotionId before = lastId;
     feed(published, RunState::Enabled);
     EXPECT_NE(lastId, before);
-    lastId = before; // the loop has not taken it
-    feed(published, RunState::Moving, {eventFrom("command-refused run in moving")});
+    const MotionId refused = std::exchange(lastId, before); // the loop has not taken it
+    feed(
+        published, RunState::Moving,
+        {{EventCode::CommandRefused, CommandRefusal{Command::Run, RunState::Moving, CommandSet{}, refused}}});
     EXPECT_FALSE(panel.isRunning());
     EXPECT_EQ(spoken("Test measured z"), "40.000");
 }
@@ -117,18 +132,29 @@ TEST_F(GuidedTestTest, StopAndAFailureEndItWithoutAResult) {
     EXPECT_TRUE(spoken("Test progress").contains(QStringLiteral("overheated")));
 }
 
-TEST(GuidedPose, IsSmallerWhereTheMachineReachesLess) {
+TEST_F(GuidedTestTest, StopWhileItIsPlannedStartsNothing) {
+    button()->click();
+    EXPECT_TRUE(panel.isPlanning());
+    panel.stopped();
+    EXPECT_FALSE(panel.isRunning());
+    feed(Pose{}, RunState::Enabled);
+    EXPECT_TRUE(asked.empty());
+    EXPECT_TRUE(button()->isEnabled());
+}
+
+TEST(GuidedPlan, IsSmallerWhereTheMachineReachesLess) {
     PlatformGeometry small = laboratoryPlatform();
     for (Leg& leg : small.legs) {
         leg.minLength = 0.290;
         leg.maxLength = 0.312;
     }
     const MotionPlanner planner(makeModel(small), plannerSettings({}, small));
-    const auto attitude = guidedPose(planner, Pose{}, MotionMode::Workspace);
-    ASSERT_TRUE(attitude);
-    EXPECT_TRUE(planner.check(Pose{}, *attitude, MotionMode::Workspace).ok());
-    EXPECT_LT(attitude->offset[2], 0.040);
-    EXPECT_GT(attitude->offset[2], 0.001);
+    const SharedPlan plan = guidedPlan(planner, {small.homeLengths(), Pose{}}, MotionMode::Workspace);
+    ASSERT_TRUE(plan);
+    EXPECT_TRUE(plan->check.ok());
+    EXPECT_EQ(plan->mode(), MotionMode::Workspace);
+    EXPECT_LT(plan->endPose().offset[2], 0.040);
+    EXPECT_GT(plan->endPose().offset[2], 0.001);
 }
 
 } // namespace

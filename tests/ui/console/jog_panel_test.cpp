@@ -22,7 +22,8 @@ using namespace hexapose::testing;
 class JogPanelTest : public ::testing::Test {
 protected:
     JogPanelTest()
-        : geometry(laboratoryPlatform()), panel(new JogPanel(geometry, &window, [this] { return now; })),
+        : geometry(laboratoryPlatform()),
+          panel(new JogPanel(makeModel(geometry), &window, [this] { return now; })),
           elsewhere(new QLineEdit(&window)) {
         auto* column = new QVBoxLayout(&window);
         column->addWidget(panel);

@@ -28,7 +28,7 @@ using namespace hexapose::testing;
 
 class MotionPanelTest : public ::testing::Test {
 protected:
-    MotionPanelTest() : geometry(laboratoryPlatform()), panel(geometry) {
+    MotionPanelTest() : geometry(laboratoryPlatform()), panel(makeModel(geometry)) {
         QObject::connect(&panel, &MotionPanel::commandRequested,
                          [this](const OperatorCommand& command) { commands.push_back(command); });
         panel.show();
@@ -38,6 +38,14 @@ protected:
     void live() {
         panel.setConnected(true);
         panel.showSnapshot(snapshotAt(geometry, Pose{}, Pose{}, RunState::Enabled, 1.0));
+    }
+    bool isPlanned() {
+        return QTest::qWaitFor(
+            [this] {
+                return !panel.target().isPlanning() && !panel.wayPoints().isPlanning() &&
+                       !panel.guidedTest().isPlanning();
+            },
+            kPatienceMs);
     }
     QPushButton* button(const char* name) {
         return qobject_cast<QPushButton*>(findByName(panel, QString::fromLatin1(name)));
@@ -55,12 +63,19 @@ TEST_F(MotionPanelTest, ModeGoesWithRunAndChangingItStartsNothing) {
     EXPECT_EQ(panel.mode(), MotionMode::Joint);
     mode->setCurrentIndex(1);
     EXPECT_TRUE(commands.empty());
-    button("Run")->click();
-    mode->setCurrentIndex(0);
-    button("Run")->click();
+    for (const int index : {1, 0}) {
+        mode->setCurrentIndex(index);
+        ASSERT_TRUE(isPlanned());
+        button("Run")->click();
+    }
     ASSERT_EQ(commands.size(), 2U);
     EXPECT_EQ(std::get<RunCommand>(commands[0]).mode, MotionMode::Workspace);
     EXPECT_EQ(std::get<RunCommand>(commands[1]).mode, MotionMode::Joint);
+    for (const OperatorCommand& command : commands) {
+        const auto& run = std::get<RunCommand>(command);
+        ASSERT_TRUE(run.plan);
+        EXPECT_TRUE(run.plan->isFor({run.target, run.mode}));
+    }
 }
 
 TEST_F(MotionPanelTest, SpeedIsSentAsItIsChosenAndAgainWhereTheLoopHasAnother) {
@@ -118,6 +133,7 @@ TEST_F(MotionPanelTest, AListEndsWithAnotherMotionThatIsAcceptedAndNotWithAWish)
         panel.wayPoints().table().setPoses({poseOf(1, 0, 0, 0, 0, 0), poseOf(2, 0, 0, 0, 0, 0)});
         feed(RunState::Enabled);
         button("Play")->click();
+        ASSERT_TRUE(isPlanned());
         feed(RunState::Enabled);
         EXPECT_EQ(spokenText(panel, QStringLiteral("Target x")), "7.00") << "nothing has begun";
         id = lastAsked;
@@ -128,7 +144,7 @@ TEST_F(MotionPanelTest, AListEndsWithAnotherMotionThatIsAcceptedAndNotWithAWish)
             EXPECT_FALSE(button(name)->isEnabled()) << name;
         }
         emit panel.jog().jogRequested({}, 1234);
-        emit panel.target().runRequested(poseOf(3, 0, 0, 0, 0, 0), 1235);
+        emit panel.target().runRequested(poseOf(3, 0, 0, 0, 0, 0), 1235, {});
         panel.guidedTest().start();
         feed(RunState::Moving,
              {eventFrom("command-refused jog in moving"), eventFrom("command-refused run in moving")});

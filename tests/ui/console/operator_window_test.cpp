@@ -18,10 +18,12 @@
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
+#include <QFileDialog>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QPointer>
 #include <QPushButton>
 #include <QSlider>
 #include <QTableView>
@@ -36,13 +38,13 @@ namespace hexapose {
 namespace {
 
 using namespace hexapose::testing;
-constexpr int kPatienceMs = 20000; // only against hanging
 
 class OperatorWindowTest : public ::testing::Test {
 protected:
-    OperatorWindowTest() : geometry(laboratoryPlatform()), window(geometry, [] { return QStringList(); }) {
+    OperatorWindowTest()
+        : geometry(laboratoryPlatform()), window(makeModel(geometry), [] { return QStringList(); }) {
         SessionSetup setup;
-        setup.geometry = geometry;
+        setup.model = makeModel(geometry);
         setup.solver = newtonSolver(geometry);
         setup.logDirectory = folder.path().toStdString();
         window.setSession(std::make_unique<Session>(
@@ -90,6 +92,7 @@ TEST_F(OperatorWindowTest, OperatorsMainJob) {
     ASSERT_TRUE(waitFor([this] { return button("Run")->isEnabled() && spoken("Measured x") == "0.000"; }));
     type("Target x", "2");
     type("Target gamma", "1.5");
+    ASSERT_TRUE(waitFor([this] { return button("Run")->isEnabled(); }));
     EXPECT_EQ(spoken("Validity"), "Reachable");
     button("Run")->click();
     ASSERT_TRUE(waitFor([this] { return happened("Settled after"); }));
@@ -216,6 +219,30 @@ TEST_F(OperatorWindowTest, EscStopsAtTheFirstPressWhileAPopupIsOpen) {
     EXPECT_FALSE(menu->isVisible());
 }
 
+/// Also the dialogs of the report page, which have a folder or a list chosen while something moves.
+TEST_F(OperatorWindowTest, FileDialogsLeaveStopAndEscWithinReach) {
+    int stops = 0;
+    QObject::connect(&window.motionPanel(), &MotionPanel::stopRequested, &window, [&stops] { ++stops; });
+    window.motionPanel().wayPoints().table().setPoses({Pose{}}); // something to save
+    for (const char* name : {"From CSV...", "Choose report folder", "Load way-points", "Save way-points"}) {
+        SCOPED_TRACE(name);
+        button(name)->click();
+        button(name)->click(); // it is open already
+        const auto dialogs = window.findChildren<QFileDialog*>();
+        ASSERT_EQ(dialogs.size(), 1);
+        const QPointer<QFileDialog> dialog = dialogs.first();
+        EXPECT_TRUE(dialog->isVisible());
+        EXPECT_FALSE(dialog->isModal());
+        EXPECT_TRUE(dialog->testOption(QFileDialog::DontUseNativeDialog)) << "it would keep Esc for itself";
+        stops = 0;
+        button("Stop")->click();
+        EXPECT_EQ(stops, 1);
+        QTest::keyClick(dialog->windowHandle(), Qt::Key_Escape);
+        EXPECT_GE(stops, 2);
+        delete dialog.data(); // which Esc may have closed already
+    }
+}
+
 TEST_F(OperatorWindowTest, SilentLoopIsShownAsOldData) {
     window.showSnapshots({std::make_shared<Snapshot>(
         snapshotAt(geometry, poseOf(1, 0, 0, 0, 0, 0), Pose{}, RunState::Enabled, 1.0))});
@@ -290,7 +317,7 @@ TEST_F(OperatorWindowTest, NothingThatIsRefusedEndsAListOrItsHold) {
         button(name)->click();
     }
     // Whoever asks all the same is refused by the loop.
-    emit window.targetPanel().runRequested(poseOf(0, 0, 5, 0, 0, 0), 1234);
+    emit window.targetPanel().runRequested(poseOf(0, 0, 5, 0, 0, 0), 1234, {});
     window.reportPanel().runList({poseOf(1, 0, 0, 0, 0, 0)});
     ASSERT_TRUE(waitFor([this] { return !window.reportPanel().isRunning(); }));
     ASSERT_TRUE(waitFor([this] { return happened("cannot be carried out"); }));

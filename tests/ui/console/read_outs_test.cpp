@@ -9,6 +9,8 @@
 #include "ui/console/status/settle_line.h"
 #include "ui/console/status/status_panel.h"
 
+#include <QLabel>
+
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -26,9 +28,9 @@ bool stale(QWidget& root, const char* name) {
     return readOut != nullptr && readOut->isStale();
 }
 
-TEST(PosePanel, ShowsTargetMeasuredAndErrorInMmAndDegrees) {
+TEST(PosePanel, ShowsPathMeasuredAndErrorInMmAndDegrees) {
     const PlatformGeometry geometry = laboratoryPlatform();
-    PosePanel panel(geometry);
+    PosePanel panel(makeModel(geometry));
     panel.showSnapshot(snapshotAt(geometry, poseOf(12.003, -4, 40, 0, 0.25, 5.01),
                                   poseOf(12, -4, 40, 0, 0, 5), RunState::Enabled, 1.0));
     EXPECT_EQ(spoken(panel, "Measured x"), "12.003");
@@ -39,11 +41,17 @@ TEST(PosePanel, ShowsTargetMeasuredAndErrorInMmAndDegrees) {
     EXPECT_EQ(spoken(panel, "Error z"), "0.000");
     EXPECT_GT(spoken(panel, "Expected error x").toDouble(), 0.0);
     EXPECT_FALSE(stale(panel, "Measured x"));
+    QStringList heads;
+    for (const auto* label : panel.findChildren<QLabel*>()) {
+        heads << label->text();
+    }
+    EXPECT_TRUE(heads.contains(QStringLiteral("path")));
+    EXPECT_FALSE(heads.contains(QStringLiteral("target"))) << "that is what the motion ends at";
 }
 
 TEST(PosePanel, NeverShowsAPoseWithoutAUsableSolution) {
     const PlatformGeometry geometry = laboratoryPlatform();
-    PosePanel panel(geometry);
+    PosePanel panel(makeModel(geometry));
     Snapshot snapshot = snapshotAt(geometry, poseOf(12, 0, 0, 0, 0, 0), Pose{}, RunState::Enabled, 1.0);
     panel.showSnapshot(snapshot);
     snapshot.measuredPose.reset();
@@ -77,7 +85,7 @@ TEST(StatusPanel, AStateThatIsNotKnownIsNotShown) {
 
 TEST(PosePanel, ShowsHowFarFromSingularItIs) {
     const PlatformGeometry geometry = laboratoryPlatform();
-    PosePanel panel(geometry);
+    PosePanel panel(makeModel(geometry));
     EXPECT_EQ(spoken(panel, "Singularity margin q"), "--");
     Snapshot snapshot = snapshotAt(geometry, Pose{}, Pose{}, RunState::Enabled, 1.0);
     QWidget* q = findByName(panel, QStringLiteral("Singularity margin q"));
@@ -99,7 +107,7 @@ TEST(PosePanel, ShowsHowFarFromSingularItIs) {
 
 TEST(SettleLine, SaysTheWindowAndTheTime) {
     const PlatformGeometry geometry = laboratoryPlatform();
-    SettleLine line(geometry);
+    SettleLine line(makeModel(geometry));
     ControlOptions options;
     options.settleWindow = {0.0002, 0.1 * std::numbers::pi / 180.0};
     line.setControl(options);
@@ -126,7 +134,7 @@ TEST(SettleLine, SaysTheWindowAndTheTime) {
 
 TEST(LegsPanel, ShowsCommandedMeasuredAndErrorAndGreysOldValues) {
     const PlatformGeometry geometry = laboratoryPlatform();
-    LegsPanel panel(geometry);
+    LegsPanel panel(makeModel(geometry));
     EXPECT_EQ(spoken(panel, "Leg 1 measured"), "--");
     Snapshot snapshot = snapshotAt(geometry, Pose{}, Pose{}, RunState::Moving, 1.0);
     snapshot.commandedLengths = LegLengths::Constant(0.300);

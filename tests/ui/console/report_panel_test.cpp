@@ -22,7 +22,7 @@ using namespace hexapose::testing;
 
 class ReportPanelTest : public ::testing::Test {
 protected:
-    ReportPanelTest() : geometry(laboratoryPlatform()), panel(geometry) {
+    ReportPanelTest() : geometry(laboratoryPlatform()), panel(makeModel(geometry)) {
         panel.setSolver(newtonSolver(geometry));
         panel.setConnected(true);
         panel.setDefaultFolder(folder.path() + QStringLiteral("/run-report"));
@@ -134,7 +134,8 @@ TEST_F(ReportPanelTest, SamplesAreDiscardedOnlyWhenTheLoopTakesTheRun) {
     Snapshot snapshot = snapshotAt(geometry, Pose{}, Pose{}, RunState::Enabled, now);
     panel.add(snapshot);
     EXPECT_EQ(panel.sampleCount(), 1);
-    snapshot.events.push_back(eventFrom("command-refused run in moving"));
+    snapshot.events.push_back(
+        {EventCode::CommandRefused, CommandRefusal{Command::Run, RunState::Moving, CommandSet{}, askedId}});
     panel.add(snapshot);
     EXPECT_FALSE(panel.isRunning());
     EXPECT_EQ(panel.sampleCount(), 1) << "refused: they stay";

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Another solver for a running loop: between two cycles, while nothing moves, and told.
 #include "core/finite_step/finite_step_solver.h"
+#include "core/record/event_codec.h"
 #include "tests/ui/console/synthetic_machine.h"
 #include "tests/ui/screen_reader.h"
 #include "ui/console/events/event_list.h"
@@ -29,7 +30,7 @@ protected:
           fsi(std::make_shared<FiniteStepSolver>(geometry, FiniteStepOptions{.steps = 100})) {}
     std::unique_ptr<Session> makeSession() {
         SessionSetup setup;
-        setup.geometry = geometry;
+        setup.model = makeModel(geometry);
         setup.solver = newtonSolver(geometry);
         setup.logDirectory = folder.path().toStdString();
         return std::make_unique<Session>(
@@ -92,7 +93,7 @@ TEST_F(SolverChangeTest, WaitsForTheEndOfAMoveAndLosesNoCycle) {
 }
 
 TEST_F(SolverChangeTest, TheWindowFollows) {
-    OperatorWindow window(geometry, [] { return QStringList(); });
+    OperatorWindow window(makeModel(geometry), [] { return QStringList(); });
     window.setSession(makeSession());
     window.show();
     const auto box = [&] { return qobject_cast<QComboBox*>(findByName(window, QStringLiteral("Solver"))); };

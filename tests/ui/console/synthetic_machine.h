@@ -12,6 +12,9 @@
 
 namespace hexapose::testing {
 
+/// In milliseconds, only against hanging.
+inline constexpr int kPatienceMs = 20000;
+
 PlatformGeometry laboratoryPlatform();
 std::shared_ptr<const ForwardSolver> newtonSolver(const PlatformGeometry& geometry);
 Pose poseOf(double xMm, double yMm, double zMm, double alphaDeg, double betaDeg, double gammaDeg);

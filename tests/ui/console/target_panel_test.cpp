@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/kinematics/inverse_kinematics.h"
 #include "core/record/motion_check_words.h"
 #include "tests/ui/console/synthetic_machine.h"
 #include "tests/ui/screen_reader.h"
@@ -11,6 +10,8 @@
 #include "ui/console/motion/named_poses.h"
 #include "ui/console/motion/target_panel.h"
 
+#include <QAbstractItemView>
+#include <QApplication>
 #include <QComboBox>
 #include <QLineEdit>
 #include <QPushButton>
@@ -19,6 +20,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 namespace hexapose {
 namespace {
 
@@ -26,20 +30,29 @@ using namespace hexapose::testing;
 
 class TargetPanelTest : public ::testing::Test {
 protected:
-    TargetPanelTest() : geometry(laboratoryPlatform()), panel(geometry) { panel.show(); }
+    TargetPanelTest() : geometry(laboratoryPlatform()), panel(makeModel(geometry)) { panel.show(); }
 
     void type(const char* field, const char* text) {
         auto* found = qobject_cast<NumberField*>(findByName(panel, QString::fromLatin1(field)));
         ASSERT_NE(found, nullptr) << field;
         found->selectAll();
         QTest::keyClicks(found, QString::fromLatin1(text));
+        ASSERT_TRUE(isPlanned());
+    }
+    /// Plans come by events, so that none has come before this.
+    bool isPlanned() {
+        return QTest::qWaitFor([this] { return !panel.isPlanning(); }, kPatienceMs);
     }
     QPushButton* button(const char* name) {
         return qobject_cast<QPushButton*>(findByName(panel, QString::fromLatin1(name)));
     }
     QString validity() { return spokenText(panel, QStringLiteral("Validity")); }
+    void show(const Snapshot& snapshot) {
+        panel.showSnapshot(snapshot);
+        ASSERT_TRUE(isPlanned());
+    }
     void live(const Pose& pose) {
-        panel.showSnapshot(snapshotAt(geometry, pose, pose, RunState::Enabled, 1.0));
+        show(snapshotAt(geometry, pose, pose, RunState::Enabled, 1.0));
         panel.setConnected(true);
     }
 
@@ -57,12 +70,12 @@ TEST_F(TargetPanelTest, RunIsDisabledWithItsReasonWhileTheStateIsNotKnown) {
     Snapshot plain = good;
     plain.link = LinkState::ListenOnly;
     for (const auto& [snapshot, word] : {std::pair(old, "measurement"), std::pair(plain, "no commands")}) {
-        panel.showSnapshot(snapshot);
+        show(snapshot);
         EXPECT_FALSE(button("Run")->isEnabled()) << word;
         EXPECT_TRUE(button("Run")->toolTip().contains(QString::fromLatin1(word)));
         EXPECT_TRUE(validity().contains(QString::fromLatin1(word))) << validity().toStdString();
     }
-    panel.showSnapshot(good);
+    show(good);
     EXPECT_TRUE(button("Run")->isEnabled());
     EXPECT_EQ(validity(), "Reachable");
     panel.setConnected(false);
@@ -94,11 +107,11 @@ TEST_F(TargetPanelTest, AWrongFieldIsMarkedAsLongAsItIs) {
 TEST_F(TargetPanelTest, RunWaitsForClearAfterAStopOrFault) {
     live(Pose{});
     for (const RunState state : {RunState::Stopped, RunState::Fault}) {
-        panel.showSnapshot(snapshotAt(geometry, Pose{}, Pose{}, state, 1.0));
+        show(snapshotAt(geometry, Pose{}, Pose{}, state, 1.0));
         EXPECT_FALSE(button("Run")->isEnabled());
         EXPECT_TRUE(validity().contains(QStringLiteral("Clear"))) << validity().toStdString();
     }
-    panel.showSnapshot(snapshotAt(geometry, Pose{}, Pose{}, RunState::Disabled, 1.0));
+    show(snapshotAt(geometry, Pose{}, Pose{}, RunState::Disabled, 1.0));
     EXPECT_TRUE(button("Run")->isEnabled());
 }
 
@@ -125,7 +138,7 @@ TEST_F(TargetPanelTest, RunIsGreyBesideARedVerdictAndInMidMoveWithTheReason) {
     EXPECT_EQ(button("Run")->accessibleDescription(), validity());
     type("Target z", "20");
     EXPECT_TRUE(button("Run")->isEnabled());
-    panel.showSnapshot(snapshotAt(geometry, Pose{}, Pose{}, RunState::Moving, 1.1));
+    show(snapshotAt(geometry, Pose{}, Pose{}, RunState::Moving, 1.1));
     EXPECT_FALSE(button("Run")->isEnabled());
     EXPECT_EQ(validity(), "Cannot run while the platform moves");
     // A press that comes all the same, as from a program, asks for nothing.
@@ -138,7 +151,7 @@ TEST_F(TargetPanelTest, LimitsOfTheControllerNarrowThoseOfThePlatform) {
     Snapshot snapshot = snapshotAt(geometry, Pose{}, Pose{}, RunState::Enabled, 1.0);
     const LegLengths home = geometry.homeLengths();
     snapshot.maxLength = home.maxCoeff() + 0.001;
-    panel.showSnapshot(snapshot);
+    show(snapshot);
     type("Target z", "30");
     EXPECT_EQ(panel.check()->reason, MotionCheck::Reason::LegAboveMax);
     EXPECT_NEAR(panel.check()->bound, *snapshot.maxLength, 1e-12);
@@ -211,38 +224,235 @@ TEST_F(TargetPanelTest, PosesAreKeptChosenReplacedAndRemovedByTheirNames) {
     EXPECT_EQ(runs.count(), 0);
 }
 
+TEST_F(TargetPanelTest, ANameThatIsTypedLoadsNothing) {
+    panel.namedPoses().setPoses({{QStringLiteral("park"), poseOf(0, 0, 30, 0, 0, 0)}});
+    panel.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&panel));
+    live(Pose{});
+    auto* box = panel.namedPoses().findChild<QComboBox*>();
+    ASSERT_NE(box, nullptr);
+    const auto typeName = [&] {
+        QTest::mouseClick(box->lineEdit(), Qt::LeftButton);
+        ASSERT_EQ(QApplication::focusWidget(), box);
+        box->lineEdit()->selectAll();
+        QTest::keyClicks(box, QStringLiteral("park"));
+    };
+    std::optional<Pose> asked;
+    QObject::connect(&panel, &TargetPanel::runRequested, [&](const Pose& pose) { asked = pose; });
+    type("Target z", "5");
+    typeName();
+    button("Run")->setFocus(Qt::MouseFocusReason); // as a click does
+    QTest::mouseClick(button("Run"), Qt::LeftButton);
+    ASSERT_TRUE(asked);
+    EXPECT_NEAR(asked->offset[2], 0.005, 1e-12);
+
+    typeName();
+    QTest::keyClick(box, Qt::Key_Return);
+    EXPECT_NEAR(panel.target()->offset[2], 0.005, 1e-12);
+    button("Save pose")->setFocus(Qt::MouseFocusReason);
+    QTest::mouseClick(button("Save pose"), Qt::LeftButton);
+    EXPECT_NEAR(panel.namedPoses().poses()[0].pose.offset[2], 0.005, 1e-12)
+        << "the pose replaces the old one";
+
+    panel.setTarget(Pose{});
+    box->setFocus();
+    QTest::keyClick(box, Qt::Key_Down);
+    EXPECT_TRUE(panel.target()->toVector().isZero()) << "it is the last one already";
+    box->showPopup();
+    QTest::keyClick(box->view(), Qt::Key_Return);
+    EXPECT_NEAR(panel.target()->offset[2], 0.005, 1e-12) << "chosen from the list";
+}
+
 TEST_F(TargetPanelTest, TheLampJudgesTheWayOfTheMode) {
     // The legs' own way keeps every stroke; on the straight one a leg would be too short in the middle.
     live(poseOf(-60, 60, -35, 0, 0, -21.5));
     panel.setTarget(poseOf(-17, -73, -34.5, 0, 0, -25.5));
+    ASSERT_TRUE(isPlanned());
     ASSERT_TRUE(panel.check());
     EXPECT_TRUE(panel.check()->ok()) << motionCheckText(*panel.check()).toStdString();
     panel.setMode(MotionMode::Workspace);
+    ASSERT_TRUE(isPlanned());
     EXPECT_EQ(panel.check()->reason, MotionCheck::Reason::LegBelowMin);
     EXPECT_LT(panel.check()->fraction, 1.0);
     EXPECT_TRUE(validity().contains(QStringLiteral("% of the path"))) << validity().toStdString();
     panel.setMode(MotionMode::Joint);
+    ASSERT_TRUE(isPlanned());
     EXPECT_EQ(validity(), "Reachable");
 }
 
-TEST(AxisRange, EndsWhereALegMeetsItsStroke) {
-    constexpr double kMetres = 2e-4; // of the bisection
-    const PlatformGeometry geometry = laboratoryPlatform();
-    const MotionLimits limits = motionLimits(geometry, {}, {});
-    for (int axis = 0; axis < 6; ++axis) {
-        const auto range = axisRange(geometry, limits, Pose{}, axis);
-        ASSERT_TRUE(range);
-        for (const double end : {range->first, range->second}) {
-            PoseVector at = PoseVector::Zero();
-            at[axis] = end;
-            const LegLengths lengths = legLengths(geometry, Pose::fromVector(at));
-            const double gap =
-                std::min((limits.maxLength - lengths).minCoeff(), (lengths - limits.minLength).minCoeff());
-            EXPECT_GE(gap, 0.0) << axis;
-            EXPECT_LT(gap, kMetres) << axis;
+class TargetPlanTest : public TargetPanelTest {
+protected:
+    TargetPlanTest() {
+        QObject::connect(&panel, &TargetPanel::runRequested,
+                         [this](const Pose& pose, MotionId, const SharedPlan& plan) {
+                             targets.push_back(pose);
+                             plans.push_back(plan);
+                         });
+        live(Pose{});
+    }
+    /// Without an event between the keys and what follows, so that no plan can have come.
+    void typeOnly(const char* text) {
+        auto* z = qobject_cast<NumberField*>(findByName(panel, QStringLiteral("Target z")));
+        z->selectAll();
+        QTest::keyClicks(z, QString::fromLatin1(text));
+    }
+
+    std::vector<Pose> targets;
+    std::vector<SharedPlan> plans;
+};
+
+TEST_F(TargetPlanTest, RunSendsThePlanThatTheLampShows) {
+    type("Target z", "20");
+    button("Run")->click();
+    ASSERT_EQ(plans.size(), 1U);
+    ASSERT_TRUE(plans[0]);
+    EXPECT_TRUE(plans[0]->check.ok());
+    EXPECT_TRUE(plans[0]->isFor({targets[0], MotionMode::Joint}));
+    EXPECT_NEAR(targets[0].offset.z(), 0.020, 1e-12);
+    EXPECT_EQ(plans[0]->start.setPoint, geometry.homeLengths());
+    button("Run")->click();
+    ASSERT_EQ(plans.size(), 2U);
+    EXPECT_EQ(plans[1], plans[0]) << "nothing has changed: it is not planned again";
+}
+
+TEST_F(TargetPlanTest, RunStaysDisabledUntilThePlanOfWhatIsTypedIsThere) {
+    type("Target z", "20");
+    ASSERT_TRUE(button("Run")->isEnabled());
+    for (const char* text : {"21", "22", "23"}) {
+        typeOnly(text);
+        EXPECT_TRUE(panel.isPlanning());
+        EXPECT_FALSE(panel.check());
+        EXPECT_FALSE(button("Run")->isEnabled()) << text;
+        EXPECT_EQ(button("Run")->toolTip(), "Checking the target");
+        EXPECT_EQ(validity(), "Reachable") << "nothing is said of a check that takes no time";
+        button("Run")->click();
+        panel.run();
+    }
+    EXPECT_TRUE(targets.empty());
+    ASSERT_TRUE(isPlanned());
+    EXPECT_TRUE(button("Run")->isEnabled());
+    EXPECT_EQ(validity(), "Reachable");
+    button("Run")->click();
+    ASSERT_EQ(targets.size(), 1U);
+    EXPECT_NEAR(targets[0].offset.z(), 0.023, 1e-12);
+    EXPECT_TRUE(plans[0]->isFor({targets[0], MotionMode::Joint}));
+}
+
+TEST_F(TargetPlanTest, APlanOfAnOlderTextIsNeverSent) {
+    // Whatever arrives between the keys: Run sends nothing, or the plan of what stands there.
+    for (int tenths = 0; tenths < 100; ++tenths) {
+        typeOnly(QByteArray::number(tenths / 10.0).constData());
+        if (tenths % 3 == 0) {
+            QCoreApplication::processEvents();
+        }
+        const std::size_t before = targets.size();
+        panel.run();
+        if (targets.size() > before) {
+            EXPECT_NEAR(targets.back().offset.z(), tenths * 1e-4, 1e-12);
+            EXPECT_TRUE(plans.back()->isFor({targets.back(), MotionMode::Joint}));
         }
     }
-    EXPECT_FALSE(axisRange(geometry, limits, poseOf(0, 0, 300, 0, 0, 0), 0));
+    // A text that needs no plan, or has none, drops the one under way.
+    for (const char* text : {"200", "-"}) {
+        typeOnly("20");
+        typeOnly(text);
+        EXPECT_FALSE(panel.isPlanning());
+        QCoreApplication::processEvents();
+        EXPECT_FALSE(button("Run")->isEnabled()) << text;
+    }
+}
+
+TEST_F(TargetPlanTest, ModeLimitsAndANewStartArePlannedAnew) {
+    type("Target z", "20");
+    panel.setMode(MotionMode::Workspace);
+    EXPECT_FALSE(button("Run")->isEnabled());
+    ASSERT_TRUE(isPlanned());
+    Snapshot narrowed = snapshotAt(geometry, Pose{}, Pose{}, RunState::Enabled, 1.1);
+    narrowed.maxLength = 0.349;
+    panel.showSnapshot(narrowed);
+    EXPECT_FALSE(button("Run")->isEnabled());
+    ASSERT_TRUE(isPlanned());
+    button("Run")->click();
+    ASSERT_EQ(plans.size(), 1U);
+    EXPECT_EQ(plans[0]->mode(), MotionMode::Workspace);
+    EXPECT_EQ(plans[0]->limits.maxLength.maxCoeff(), 0.349);
+    // Where it goes from elsewhere Run stays: its text is the same, and the loop looks at the start itself.
+    const Pose elsewhere = poseOf(0, 0, 3, 0, 0, 0);
+    Snapshot moved = snapshotAt(geometry, elsewhere, elsewhere, RunState::Enabled, 1.2);
+    moved.maxLength = narrowed.maxLength;
+    ASSERT_TRUE(QTest::qWaitFor([&] {
+        panel.showSnapshot(moved);
+        EXPECT_TRUE(button("Run")->isEnabled());
+        button("Run")->click();
+        return plans.back() != plans[0];
+    }));
+    EXPECT_NEAR(plans.back()->start.pose.offset.z(), 0.003, 1e-9);
+}
+
+TEST_F(TargetPlanTest, NothingIsPlannedWhileSomethingMoves) {
+    show(snapshotAt(geometry, Pose{}, Pose{}, RunState::Moving, 1.1));
+    typeOnly("20");
+    EXPECT_FALSE(panel.isPlanning());
+    panel.showSnapshot(snapshotAt(geometry, Pose{}, Pose{}, RunState::Enabled, 1.2));
+    EXPECT_TRUE(panel.isPlanning());
+    EXPECT_FALSE(button("Run")->isEnabled());
+    ASSERT_TRUE(isPlanned());
+    EXPECT_TRUE(button("Run")->isEnabled());
+}
+
+constexpr double kRangeResolution = 2e-4; // m or rad, of the bisection
+
+MotionPlanner plannerWithin(double furthestMetres) {
+    ControlOptions options;
+    options.envelope.furthest.head<3>().setConstant(furthestMetres);
+    const SharedModel model = makeModel(laboratoryPlatform());
+    return {model, plannerSettings(options, model->geometry())};
+}
+
+Pose alongAxis(int axis, double value) {
+    PoseVector at = PoseVector::Zero();
+    at[axis] = value;
+    return Pose::fromVector(at);
+}
+
+TEST(AxisRange, EndsWhereTheFirstLimitIsMet) {
+    const MotionPlanner planner = plannerWithin(std::numeric_limits<double>::infinity());
+    for (int axis = 0; axis < 6; ++axis) {
+        const auto range = axisRange(planner, Pose{}, axis);
+        ASSERT_TRUE(range);
+        for (const double end : {range->first, range->second}) {
+            EXPECT_TRUE(planner.check(alongAxis(axis, end)).ok()) << axis;
+            const double beyond = end + std::copysign(kRangeResolution, end);
+            EXPECT_FALSE(planner.check(alongAxis(axis, beyond)).ok()) << axis;
+        }
+    }
+    EXPECT_FALSE(axisRange(planner, poseOf(0, 0, 300, 0, 0, 0), 0));
+}
+
+TEST(AxisRange, EndsAtTheEnvelope) {
+    constexpr double kFurthest = 0.005;
+    const MotionPlanner planner = plannerWithin(kFurthest);
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto range = axisRange(planner, Pose{}, axis);
+        ASSERT_TRUE(range);
+        EXPECT_NEAR(range->first, -kFurthest, kRangeResolution) << axis;
+        EXPECT_NEAR(range->second, kFurthest, kRangeResolution) << axis;
+    }
+}
+
+TEST(AxisRange, EndsAtTheSingularityMargin) {
+    constexpr int kGamma = 5;
+    constexpr double kMargin = 0.05;
+    PlatformGeometry roomy = laboratoryPlatform();
+    for (Leg& leg : roomy.legs) {
+        leg.minLength *= 0.5;
+        leg.maxLength *= 2.0;
+    }
+    const MotionPlanner planner(makeModel(roomy), plannerSettings({}, roomy));
+    const auto range = axisRange(planner, Pose{}, kGamma);
+    ASSERT_TRUE(range);
+    EXPECT_NEAR(planner.model().singularity(alongAxis(kGamma, range->second)).smallestSingularValue, kMargin,
+                kRangeResolution);
 }
 
 TEST(AxisRange, OfAJogEndsWhereTheJogWould) {
@@ -273,7 +483,7 @@ TEST(MotionCheckText, NamesLegLimitAndExcess) {
         << motionCheckText(outside).toStdString();
     const MotionCheck fast{MotionCheck::Reason::LegSpeed, 4, 0.09, 0.08, 0.12};
     EXPECT_EQ(motionCheckText(fast),
-              "Leg 4 would move at 90.0 mm/s, faster than its 80.0 mm/s, at 12 % of the path");
+              "Leg 4 would move at 90.0 mm/s, above its limit of 80.0 mm/s, at 12 % of the path");
     const MotionCheck aboveOnTheWay{MotionCheck::Reason::LegAboveMax, 3, 0.3612, 0.350, 0.3};
     EXPECT_EQ(motionCheckText(*motionCheckFromWords(toWords(aboveOnTheWay))),
               "Leg 3 would be above its maximum, at 30 % of the path");

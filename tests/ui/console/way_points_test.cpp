@@ -5,12 +5,15 @@
 #include "tests/support/events.h"
 #include "tests/ui/console/synthetic_machine.h"
 #include "tests/ui/screen_reader.h"
+#include "ui/common/language.h"
 #include "ui/console/motion/way_point_table.h"
 #include "ui/console/motion/way_points_panel.h"
 
+#include <QCoreApplication>
 #include <QFile>
 #include <QPushButton>
 #include <QTemporaryDir>
+#include <QTest>
 
 #include <gtest/gtest.h>
 
@@ -21,17 +24,24 @@ using namespace hexapose::testing;
 
 class WayPointsTest : public ::testing::Test {
 protected:
-    WayPointsTest() : geometry(laboratoryPlatform()), panel(geometry) {
-        QObject::connect(&panel, &WayPointsPanel::runRequested, [this](const Pose& pose, MotionId id) {
-            asked.push_back(pose);
-            lastId = id;
-        });
+    WayPointsTest() : geometry(laboratoryPlatform()), panel(makeModel(geometry)) {
+        QObject::connect(&panel, &WayPointsPanel::runRequested,
+                         [this](const Pose& pose, MotionId id, const SharedPlan& plan) {
+                             asked.push_back(pose);
+                             plans.push_back(plan);
+                             lastId = id;
+                         });
         QObject::connect(&panel, &WayPointsPanel::holdRequested, [this](bool on) { holds.push_back(on); });
         panel.show();
         panel.setConnected(true);
         panel.showSnapshot(snapshotAt(geometry, Pose{}, Pose{}, RunState::Enabled, now));
     }
+    /// Plans come by events, so that none has come before this.
+    bool isPlanned() {
+        return QTest::qWaitFor([this] { return !panel.isPlanning(); }, kPatienceMs);
+    }
     void feed(const Pose& at, RunState state, std::vector<Event> events = {}) {
+        ASSERT_TRUE(isPlanned());
         Snapshot snapshot = snapshotAt(geometry, at, at, state, now += 0.01);
         snapshot.events = std::move(events);
         snapshot.motionId = lastId;
@@ -57,6 +67,7 @@ protected:
     PlatformGeometry geometry;
     WayPointsPanel panel;
     std::vector<Pose> asked;
+    std::vector<SharedPlan> plans; ///< sent with them
     MotionId lastId = kNoMotion;
     std::vector<bool> holds;
     const std::vector<Pose> three{poseOf(5, 0, 0, 0, 0, 0), poseOf(5, 5, 0, 0, 0, 0),
@@ -82,6 +93,49 @@ TEST_F(WayPointsTest, PlayVisitsThemAllOneAfterTheOther) {
     EXPECT_EQ(asked.size(), 3U);
 }
 
+TEST_F(WayPointsTest, EachRunSendsThePlanThatWasCheckedAtThePress) {
+    panel.setMode(MotionMode::Workspace);
+    panel.table().setPoses(three);
+    button("Play")->click();
+    EXPECT_TRUE(panel.isRunning());
+    EXPECT_FALSE(button("Play")->isEnabled());
+    EXPECT_FALSE(button("Add measured")->isEnabled()) << "the list stays as it was pressed";
+    feed(Pose{}, RunState::Enabled);
+    Pose from;
+    for (std::size_t i = 0; i < three.size(); ++i) {
+        ASSERT_EQ(plans.size(), i + 1);
+        ASSERT_TRUE(plans[i]);
+        EXPECT_TRUE(plans[i]->isFor({asked[i], MotionMode::Workspace}));
+        EXPECT_TRUE(plans[i]->start.pose.toVector().isApprox(from.toVector(), 1e-12));
+        EXPECT_TRUE(plans[i]->motion);
+        from = asked[i];
+        settleAt(three[i]);
+    }
+    EXPECT_FALSE(panel.isRunning());
+}
+
+TEST_F(WayPointsTest, StopWhileTheListIsPlannedStartsNothing) {
+    panel.table().setPoses(three);
+    button("Play")->click();
+    ASSERT_TRUE(panel.isPlanning());
+    panel.stopped(); // returns at once
+    EXPECT_FALSE(panel.isRunning());
+    EXPECT_FALSE(panel.isPlanning());
+    QTest::qWait(0);
+    feed(Pose{}, RunState::Enabled);
+    EXPECT_TRUE(asked.empty());
+    EXPECT_TRUE(button("Play")->isEnabled());
+}
+
+TEST_F(WayPointsTest, APlatformThatIsNoLongerReadyIsLeftAlone) {
+    panel.table().setPoses(three);
+    button("Play")->click();
+    show(RunState::Moving); // somebody else's motion
+    ASSERT_TRUE(isPlanned());
+    EXPECT_FALSE(panel.isRunning());
+    EXPECT_EQ(message(), "The platform is not ready any more. Nothing moved.");
+}
+
 TEST_F(WayPointsTest, StepVisitsTheNextOneOnly) {
     panel.table().setPoses(three);
     for (const std::size_t expected : {0U, 1U, 2U, 0U}) {
@@ -98,6 +152,7 @@ TEST_F(WayPointsTest, StepVisitsTheNextOneOnly) {
 TEST_F(WayPointsTest, ABadRowIsNamedBeforeAnythingMoves) {
     panel.table().setPoses({three[0], poseOf(0, 0, 200, 0, 0, 0), three[2]});
     button("Play")->click();
+    ASSERT_TRUE(isPlanned());
     EXPECT_FALSE(panel.isRunning());
     EXPECT_EQ(message().rfind("Row 2: Leg ", 0), 0U) << message();
     panel.table().setPoses(three);
@@ -239,7 +294,15 @@ TEST_F(WayPointsTest, AListComesBackFromItsFile) {
     bad.write("x_mm,y_mm\n1,2\n");
     bad.close();
     panel.load(bad.fileName());
-    EXPECT_EQ(message().rfind("The list cannot be used", 0), 0U) << message();
+    EXPECT_EQ(message(), "The list cannot be used: " + bad.fileName().toStdString() +
+                             ", line 1: column z_mm is missing");
+    LanguageSwitch language;
+    ASSERT_TRUE(language.choose(QStringLiteral("zh_CN")));
+    QCoreApplication::sendPostedEvents();
+    EXPECT_FALSE(
+        spokenText(panel, WayPointsPanel::tr("Way-point progress")).contains(QStringLiteral("missing")));
+    ASSERT_TRUE(language.choose(QStringLiteral("en")));
+    QCoreApplication::sendPostedEvents();
     EXPECT_EQ(panel.table().rowCount(), 3) << "what was there stays";
     panel.save(QStringLiteral("/proc/none/list.csv"));
     EXPECT_EQ(message().rfind("The list cannot be saved", 0), 0U) << message();

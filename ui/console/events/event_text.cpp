@@ -7,6 +7,8 @@
 
 #include <QCoreApplication>
 
+#include <new>
+
 namespace hexapose {
 
 namespace {
@@ -25,22 +27,30 @@ QString withPayload(const QString& cause, const Event& event) {
     return payload.isEmpty() ? cause : EventWords::tr("%1: %2").arg(cause, payload);
 }
 
-/// What has to come before a command that the present state does not allow.
+/// What has to come before a command that the machine does not allow now.
 QString refusalAdvice(const CommandRefusal& refusal) {
-    const bool down = refusal.state == RunState::Stopped || refusal.state == RunState::Fault;
-    const bool moving = refusal.state == RunState::Moving || refusal.state == RunState::Settling;
-    if (refusal.command == Command::Jog && !down) {
-        return moving ? EventWords::tr("Wait until the motion is over.")
-                      : EventWords::tr("Press Enable first; a jog does not switch the drives on.");
+    if (!refusal.allowed) {
+        return EventWords::tr("Nothing has changed.");
     }
-    if (down) {
+    const CommandSet& allowed = *refusal.allowed;
+    const bool needsDrives = refusal.command == Command::Jog;
+    if (!allowed.contains(Command::Disable)) {
+        return EventWords::tr("Wait until a controller is connected.");
+    }
+    if (allowed.contains(Command::Clear)) {
         return EventWords::tr("After a stop or a fault press Clear first.");
     }
-    if (moving) {
-        return EventWords::tr("Wait until the motion is over, or press Stop.");
+    if (needsDrives && (allowed.contains(Command::Enable) || allowed.contains(Command::Reference))) {
+        return EventWords::tr("Press Enable first; a jog does not switch the drives on.");
     }
-    return refusal.state == RunState::Disconnected ? EventWords::tr("Wait until a controller is connected.")
-                                                   : EventWords::tr("Nothing has changed.");
+    if (refusal.command == Command::Resume) {
+        return EventWords::tr("There is nothing to resume.");
+    }
+    if (allowed.contains(Command::Run)) { // no motion is in the way
+        return EventWords::tr("Nothing has changed.");
+    }
+    return needsDrives ? EventWords::tr("Wait until the motion is over.")
+                       : EventWords::tr("Wait until the motion is over, or press Stop.");
 }
 
 QString moveAdvice(const Event& event) {
@@ -107,8 +117,7 @@ EventText stopText(const Event& event) {
                     .arg(fixed(event.value(), 0)),
                 clear, Tone::Bad};
     case EventCode::StoppedOnLimits:
-        return {withPayload(EventWords::tr("Stopped: a set-point would have left a stroke"), event), clear,
-                Tone::Bad};
+        return {withPayload(EventWords::tr("Stopped at a limit"), event), clear, Tone::Bad};
     case EventCode::StoppedOnNewIdentity:
         return {
             withPayload(EventWords::tr("Stopped: the controller gave another name or other limits"), event),
@@ -120,10 +129,10 @@ EventText stopText(const Event& event) {
         return {EventWords::tr("The controller did not confirm that the drives are off"),
                 EventWords::tr("Check the machine; switch its drives off there."), Tone::Bad};
     case EventCode::LoopFailed:
-        return {withPayload(EventWords::tr("The control loop ended"), event),
-                EventWords::tr("Disconnect and connect again; send the log to the manufacturer."), Tone::Bad};
+        return {EventWords::tr("The control loop ended: %1").arg(loopFailureText(event)),
+                EventWords::tr("Disconnect and connect again; report the error with its log."), Tone::Bad};
     case EventCode::ControllerFault:
-        return {withPayload(EventWords::tr("Fault of the controller"), event),
+        return {withPayload(EventWords::tr("Controller fault"), event),
                 EventWords::tr("Remove the cause at the machine, then press Clear."), Tone::Bad};
     default:
         return {};
@@ -188,6 +197,14 @@ EventText progressText(const Event& event) {
 }
 
 } // namespace
+
+QString loopFailureText(const Event& event) {
+    const auto* error = event.get<DeviceText>();
+    const std::string text = error != nullptr ? error->text : std::string();
+    return text == std::bad_alloc().what()
+               ? EventWords::tr("out of memory")
+               : EventWords::tr("internal error \"%1\"").arg(QString::fromStdString(text));
+}
 
 EventText eventText(const Event& event) {
     for (const auto& group : {linkText, stopText, refusalText, progressText}) {

@@ -16,5 +16,7 @@ struct EventText {
     Tone tone = Tone::Idle;
 };
 EventText eventText(const Event& event);
+/// What ended the control loop, of LoopFailed. Words of the program or of the system are quoted.
+QString loopFailureText(const Event& event);
 
 } // namespace hexapose

@@ -71,8 +71,9 @@ QString legRateText(const MotionCheck& check) {
     }
     const QString text =
         check.reason == MotionCheck::Reason::LegSpeed
-            ? MotionCheckText::tr("Leg %1 would move at %2 mm/s, faster than its %3 mm/s")
-            : MotionCheckText::tr("Leg %1 would accelerate by %2 mm/s\u00b2, more than its %3 mm/s\u00b2");
+            ? MotionCheckText::tr("Leg %1 would move at %2 mm/s, above its limit of %3 mm/s")
+            : MotionCheckText::tr(
+                  "Leg %1 would accelerate by %2 mm/s\u00b2, above its limit of %3 mm/s\u00b2");
     return text.arg(QString::number(check.leg), number(mmFromMetres(check.value), 1),
                     number(mmFromMetres(check.bound), 1));
 }

@@ -159,7 +159,7 @@ QString text(const FollowingError& error) {
 QString text(const PreparationFailure& failure) {
     if (failure.refusal)
         return text(*failure.refusal);
-    return failure.answered ? PayloadText::tr("%1: not done in time").arg(requestText(failure.request))
+    return failure.answered ? PayloadText::tr("%1 did not finish in time").arg(requestText(failure.request))
                             : PayloadText::tr("%1: not answered").arg(requestText(failure.request));
 }
 

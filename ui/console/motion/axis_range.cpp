@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/console/motion/axis_range.h"
 
-#include "core/kinematics/inverse_kinematics.h"
+#include "core/motion/limits.h"
 
 #include <functional>
 #include <numbers>
@@ -36,30 +36,37 @@ double allowedTravel(double reach, int steps, const Allowed& allowed) {
     return good;
 }
 
-bool inStrokes(const PlatformGeometry& geometry, const MotionLimits& limits, const Pose& pose) {
-    const LegLengths lengths = legLengths(geometry, pose);
-    return (lengths.array() >= limits.minLength.array()).all() &&
-           (lengths.array() <= limits.maxLength.array()).all();
-}
-
 /// No leg changes faster than the platform moves, so the strokes bound the distance from above.
 double reachOf(const MotionLimits& limits, int coordinate) {
     return coordinate < 3 ? 2.0 * limits.maxLength.maxCoeff() : std::numbers::pi / 2.0;
 }
 
+/// From where the pose is allowed, along poseAt(travel) up to `reach`: strokes and envelope first, which cost
+/// little.
+double travelWithin(const PlatformModel& model, const MotionLimits& limits, double reach,
+                    const std::function<Pose(double)>& poseAt) {
+    const double strokes = allowedTravel(reach, kStepsOut, [&](double travel) {
+        const Pose at = poseAt(travel);
+        return checkLegs(limits, model.actuators(at)).ok() && !outsideEnvelope(limits.envelope, at);
+    });
+    return allowedTravel(strokes, kMarginSteps,
+                         [&](double travel) { return checkPose(model, limits, poseAt(travel)).ok(); });
+}
+
 } // namespace
 
-std::optional<std::pair<double, double>>
-axisRange(const PlatformGeometry& geometry, const MotionLimits& limits, const Pose& pose, int coordinate) {
-    if (!checkPose(geometry, limits, pose).ok()) {
+std::optional<std::pair<double, double>> axisRange(const MotionPlanner& planner, const Pose& pose,
+                                                   int coordinate) {
+    const MotionLimits limits = planner.limitsAt(pose);
+    if (!checkPose(planner.model(), limits, pose).ok()) {
         return std::nullopt;
     }
     const PoseVector start = pose.toVector();
     const auto end = [&](double reach) {
-        return start[coordinate] + allowedTravel(reach, kStepsOut, [&](double offset) {
+        return start[coordinate] + travelWithin(planner.model(), limits, reach, [&](double offset) {
                    PoseVector at = start;
                    at[coordinate] += offset;
-                   return inStrokes(geometry, limits, Pose::fromVector(at));
+                   return Pose::fromVector(at);
                });
     };
     const double reach = reachOf(limits, coordinate);
@@ -68,16 +75,12 @@ axisRange(const PlatformGeometry& geometry, const MotionLimits& limits, const Po
 
 std::optional<double> jogRange(const MotionPlanner& planner, const Pose& pose,
                                const JogDirection& direction) {
+    const MotionLimits& limits = planner.limits();
     if (!planner.check(pose).ok()) {
         return std::nullopt;
     }
-    const MotionLimits& limits = planner.limits();
-    const double strokes = allowedTravel(reachOf(limits, direction.axis), kStepsOut, [&](double travel) {
-        const Pose at = stepped(pose, direction, travel);
-        return inStrokes(planner.model().geometry(), limits, at) && !outsideEnvelope(limits.envelope, at);
-    });
-    return allowedTravel(strokes, kMarginSteps,
-                         [&](double travel) { return planner.check(stepped(pose, direction, travel)).ok(); });
+    return travelWithin(planner.model(), limits, reachOf(limits, direction.axis),
+                        [&](double travel) { return stepped(pose, direction, travel); });
 }
 
 } // namespace hexapose

@@ -20,22 +20,24 @@ Pose publishedPose() {
 
 } // namespace
 
-std::optional<Pose> guidedPose(const MotionPlanner& planner, const std::optional<Pose>& from,
-                               MotionMode mode) {
+SharedPlan guidedPlan(const MotionPlanner& planner, const PlanStart& start, MotionMode mode,
+                      const PlanBudget& budget) {
     const PoseVector published = publishedPose().toVector();
     double part = 1.0;
     for (int i = 0; i < kMostHalvings; ++i, part *= 0.5) {
         const Pose pose = Pose::fromVector(part * published);
-        if ((from ? planner.check(*from, pose, mode) : planner.check(pose)).ok()) {
-            return pose;
+        PlannedMotion plan = planner.plan(start, StraightMove{pose, mode}, budget);
+        if (plan.check.ok()) {
+            return std::make_shared<const PlannedMotion>(std::move(plan));
         }
     }
-    return std::nullopt;
+    return nullptr;
 }
 
-GuidedTest::GuidedTest(const PlatformGeometry& geometry, std::shared_ptr<const ForwardSolver> solver,
-                       const Pose& target, MotionId id)
-    : m_geometry(geometry), m_solver(std::move(solver)), m_target(target), m_run({target}, kStandsFor, id) {}
+GuidedTest::GuidedTest(SharedModel model, std::shared_ptr<const ForwardSolver> solver, const Pose& target,
+                       MotionId id)
+    : m_model(std::move(model)), m_solver(std::move(solver)), m_target(target),
+      m_run({target}, kStandsFor, id) {}
 
 std::optional<Pose> GuidedTest::add(const Snapshot& snapshot) {
     if (m_step == Step::Done || m_step == Step::Failed) {
@@ -47,7 +49,7 @@ std::optional<Pose> GuidedTest::add(const Snapshot& snapshot) {
         m_step = Step::Failed;
     } else if (sample && m_step == Step::Average) {
         m_step = Step::Solve;
-        const ErrorReport report = makeErrorReport(m_geometry, *m_solver, {*sample});
+        const ErrorReport report = makeErrorReport(m_model->geometry(), *m_solver, {*sample});
         m_result = report.rows.front();
         m_step = Step::Done;
     } else if (m_run.phase() == PoseSequence::Phase::Dwelling) {

@@ -11,10 +11,10 @@
 
 namespace hexapose {
 
-/// The pose of the published test, or one like it that a machine can reach: half of it, a quarter ...
-/// Nothing where even home cannot be reached.
-std::optional<Pose> guidedPose(const MotionPlanner& planner, const std::optional<Pose>& from,
-                               MotionMode mode);
+/// Plans the way to the pose of the published test, or to one like it that a machine can reach: half of it, a
+/// quarter ... Null where even home cannot be reached.
+SharedPlan guidedPlan(const MotionPlanner& planner, const PlanStart& start, MotionMode mode,
+                      const PlanBudget& budget = {});
 
 /// The published physical test: one pose, settled, its lengths averaged for a second, solved and
 /// compared. Fed with snapshots; pure.
@@ -22,8 +22,8 @@ class GuidedTest {
 public:
     enum class Step { Move, Settle, Average, Solve, Done, Failed };
 
-    GuidedTest(const PlatformGeometry& geometry, std::shared_ptr<const ForwardSolver> solver,
-               const Pose& target, MotionId id);
+    GuidedTest(SharedModel model, std::shared_ptr<const ForwardSolver> solver, const Pose& target,
+               MotionId id);
     /// The target, when its Run is due.
     std::optional<Pose> add(const Snapshot& snapshot);
     Step step() const { return m_step; }
@@ -35,7 +35,7 @@ public:
     const PoseSequence& run() const { return m_run; }
 
 private:
-    PlatformGeometry m_geometry;
+    SharedModel m_model;
     std::shared_ptr<const ForwardSolver> m_solver;
     Pose m_target;
     PoseSequence m_run;

@@ -5,6 +5,7 @@
 #include "ui/common/read_out.h"
 #include "ui/common/status_text.h"
 #include "ui/console/events/sequence_end_text.h"
+#include "ui/console/motion/plan_start.h"
 
 #include <QEvent>
 #include <QPushButton>
@@ -15,8 +16,8 @@
 // What the guided test does; guided_test_layout.cpp is how it looks and what it says.
 namespace hexapose {
 
-GuidedTestPanel::GuidedTestPanel(const PlatformGeometry& geometry, QWidget* parent)
-    : QWidget(parent), m_planner(makeModel(geometry), plannerSettings({}, geometry)),
+GuidedTestPanel::GuidedTestPanel(const SharedModel& model, QWidget* parent)
+    : QWidget(parent), m_planner(model, plannerSettings({}, model->geometry())),
       m_start(new QPushButton(this)) {
     m_start->setProperty("kind", "primary");
     m_start->setObjectName(QStringLiteral("guidedTest"));
@@ -50,33 +51,55 @@ void GuidedTestPanel::setConnected(bool connected) {
 
 void GuidedTestPanel::showSnapshot(const Snapshot& snapshot) {
     m_planner.setControllerLimits(snapshot.minLength, snapshot.maxLength);
-    m_measured = snapshot.stale ? std::nullopt : snapshot.measuredPose;
-    m_ready = runInhibit(snapshot).isEmpty() && m_measured.has_value();
+    m_from = planStart(snapshot);
+    m_ready = runInhibit(snapshot).isEmpty() && m_from.has_value();
     updateButton();
 }
 
-bool GuidedTestPanel::isRunning() const {
-    return !m_ended;
+void GuidedTestPanel::setMode(MotionMode mode) {
+    m_mode = mode;
+    if (isPlanning() && m_from) {
+        plan();
+    }
 }
 
 void GuidedTestPanel::start() {
     if (isRunning() || !m_solver || !m_ready) {
         return;
     }
-    const auto target = guidedPose(m_planner, m_measured, m_mode);
-    if (!target) {
-        tell([] { return tr("No pose of this test can be reached from here. Nothing moved."); });
+    m_test.reset();
+    m_ended = false;
+    plan();
+    showSteps();
+    updateButton();
+}
+
+void GuidedTestPanel::plan() {
+    m_planning.start(
+        [planner = m_planner, from = *m_from, mode = m_mode](const Job& job) {
+            return guidedPlan(planner, from, mode, planBudget(job));
+        },
+        [this](const Job::Outcome<SharedPlan>& outcome) { begin(outcome.result.value_or(nullptr)); });
+}
+
+void GuidedTestPanel::begin(const SharedPlan& plan) {
+    if (!plan) {
+        end([] { return tr("No pose of this test can be reached from here. Nothing moved."); });
         return;
     }
-    m_test.emplace(m_planner.model().geometry(), m_solver, *target, m_ids.take());
-    m_ended = false;
-    tell([] { return tr("The test is under way; Stop ends it"); });
+    if (!m_ready) { // any more
+        end([] { return tr("The platform is not ready any more. Nothing moved."); });
+        return;
+    }
+    m_plan = plan;
+    m_test.emplace(m_planner.sharedModel(), m_solver, plan->endPose(), m_ids.take());
+    setMessage([] { return tr("The test is under way; Stop ends it"); });
     showSteps();
     updateButton();
 }
 
 void GuidedTestPanel::add(const Snapshot& snapshot) {
-    if (!isRunning()) {
+    if (!isRunning() || !m_test) {
         return;
     }
     const GuidedTest::Step before = m_test->step();
@@ -102,7 +125,7 @@ void GuidedTestPanel::add(const Snapshot& snapshot) {
         showSteps();
     }
     if (due) {
-        emit runRequested(*due, m_test->run().id());
+        emit runRequested(*due, m_test->run().id(), std::exchange(m_plan, nullptr));
     }
 }
 
@@ -113,14 +136,16 @@ void GuidedTestPanel::stopped() {
 }
 
 void GuidedTestPanel::end(const Text& text) {
+    m_planning.cancel();
+    m_plan.reset();
     m_ended = true;
-    tell(text);
+    setMessage(text);
     showSteps();
     showResult();
     updateButton();
 }
 
-void GuidedTestPanel::tell(const Text& text) {
+void GuidedTestPanel::setMessage(const Text& text) {
     m_text = text;
     m_message->showText(text());
 }

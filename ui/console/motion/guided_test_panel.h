@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ui/common/motion_ids.h"
+#include "ui/common/newest_job.h"
 #include "ui/console/motion/guided_test.h"
 
 #include <QWidget>
@@ -26,26 +27,28 @@ class TextReadOut;
 class GuidedTestPanel final : public QWidget {
     Q_OBJECT
 public:
-    explicit GuidedTestPanel(const PlatformGeometry& geometry, QWidget* parent = nullptr);
+    explicit GuidedTestPanel(const SharedModel& model, QWidget* parent = nullptr);
 
     void setControl(const ControlOptions& options) {
         m_planner.setSettings(plannerSettings(options, m_planner.model().geometry()));
     }
     void setSolver(std::shared_ptr<const ForwardSolver> solver);
     void setConnected(bool connected);
-    void setMode(MotionMode mode) { m_mode = mode; }
+    void setMode(MotionMode mode);
     /// Every snapshot.
     void add(const Snapshot& snapshot);
     void showSnapshot(const Snapshot& snapshot);
 
-    bool isRunning() const;
+    /// From the press on, when the way there is planned on a thread of its own.
+    bool isRunning() const { return !m_ended; }
+    bool isPlanning() const { return m_planning.isRunning(); }
     void stopped(); ///< Stop was pressed
 
 public slots:
     void start();
 
 signals:
-    void runRequested(const hexapose::Pose& target, hexapose::MotionId id);
+    void runRequested(const hexapose::Pose& target, hexapose::MotionId id, const hexapose::SharedPlan& plan);
     void runAccepted(const hexapose::Pose& target);
 
 protected:
@@ -64,8 +67,10 @@ private:
     void buildSteps(QVBoxLayout& column);
     void buildResult(QVBoxLayout& column);
     void addRow(QGridLayout& grid, int coordinate);
+    void plan();
+    void begin(const SharedPlan& plan);
     void end(const Text& text);
-    void tell(const Text& text);
+    void setMessage(const Text& text);
     void showSteps();
     void showResult();
     void updateButton();
@@ -75,7 +80,8 @@ private:
     MotionIds m_ids{MotionAsker::GuidedTest};
     std::shared_ptr<const ForwardSolver> m_solver;
     MotionMode m_mode = MotionMode::Joint;
-    std::optional<Pose> m_measured; ///< present and usable
+    std::optional<PlanStart> m_from; ///< present and usable
+    SharedPlan m_plan;               ///< of the test's Run
     std::optional<GuidedTest> m_test;
     std::optional<GuidedTest> m_shown; ///< the last one that moved the platform
     bool m_ended = true;               ///< no test, or one that is over
@@ -91,6 +97,7 @@ private:
     QLabel* m_lengthsTitle = nullptr;
     std::array<ReadOut*, 6> m_lengths{};
     TextReadOut* m_message = nullptr;
+    NewestJob m_planning{QStringLiteral("test planning")};
 };
 
 } // namespace hexapose

@@ -27,15 +27,10 @@ bool endsTheJog(EventCode code) {
            code == EventCode::PreparationFailed;
 }
 
-bool drivesOn(RunState state) {
-    return state == RunState::Enabled || state == RunState::Moving || state == RunState::Settling;
-}
-
 } // namespace
 
-JogPanel::JogPanel(const PlatformGeometry& geometry, QWidget* parent,
-                   std::function<JogHold::Clock::time_point()> now)
-    : QWidget(parent), m_planner(makeModel(geometry), plannerSettings({}, geometry)),
+JogPanel::JogPanel(const SharedModel& model, QWidget* parent, std::function<JogHold::Clock::time_point()> now)
+    : QWidget(parent), m_planner(model, plannerSettings({}, model->geometry())),
       m_hold([this] { return mayGoOn(); }, std::move(now)) {
     build();
     connect(&m_hold, &JogHold::held, this, [this](const JogDirection& direction) {
@@ -80,7 +75,7 @@ void JogPanel::add(const Snapshot& snapshot) {
     const bool moving = snapshot.state == RunState::Moving;
     m_jogging = moving && isMotionOf(MotionAsker::Jog, snapshot.motionId);
     m_stepping = moving && isMotionOf(MotionAsker::JogStep, snapshot.motionId);
-    m_stepAsked = m_stepAsked && snapshot.motionId != m_stepId && drivesOn(snapshot.state);
+    m_stepAsked = m_stepAsked && snapshot.motionId != m_stepId && drivesAreOn(snapshot.state);
 }
 
 void JogPanel::showSnapshot(const Snapshot& snapshot) {
@@ -109,7 +104,7 @@ bool JogPanel::canHold() const {
 /// Asked before each repetition, besides the events that end a jog at once.
 bool JogPanel::mayGoOn() const {
     return isVisible() && !window()->isMinimized() && QApplication::activePopupWidget() == nullptr &&
-           m_connected && !m_latest.stale && drivesOn(m_latest.state) &&
+           m_connected && !m_latest.stale && drivesAreOn(m_latest.state) &&
            (m_heldButton == nullptr || m_heldButton->isDown());
 }
 

@@ -25,13 +25,13 @@ namespace hexapose {
 
 class TextReadOut;
 
-/// Twelve buttons that move the platform along and about the axes: as long as one is held, or a step a click.
-/// Let go, out of focus, out of sight, behind a popup or in a window that is not in front: released at once.
-/// One press is one jog: a second key or button ends it, and nothing starts before all of them are up.
+/// Twelve buttons that move the platform along and about the axes: as long as one is held, or one step per
+/// click. Let go, out of focus, out of sight, behind a popup or in a window that is not in front: released at
+/// once. One press is one jog: a second key or button ends it, and nothing starts before all of them are up.
 class JogPanel final : public QWidget {
     Q_OBJECT
 public:
-    explicit JogPanel(const PlatformGeometry& geometry, QWidget* parent = nullptr,
+    explicit JogPanel(const SharedModel& model, QWidget* parent = nullptr,
                       std::function<JogHold::Clock::time_point()> now = JogHold::Clock::now);
 
     void setControl(const ControlOptions& options) {

@@ -129,26 +129,19 @@ QString JogPanel::hindrance() const {
     if (const QString why = linkInhibit(m_latest); !why.isEmpty()) {
         return why;
     }
-    switch (m_latest.state) {
-    case RunState::Unreferenced:
-        return tr("Press Reference and Enable first; a jog needs the drives on");
-    case RunState::Stopped:
-    case RunState::Fault:
-        return tr("Press Clear and Enable first; a jog needs the drives on");
-    case RunState::Disabled:
-    case RunState::Disconnected:
-        return tr("Press Enable first; a jog needs the drives on");
-    case RunState::Moving:
-        return m_jogging || m_stepping ? QString() : tr("Wait until the motion is over, or press Stop");
-    case RunState::Enabled:
-    case RunState::Settling:
-        break;
-    }
-    if (m_latest.allowed.contains(Command::Jog)) {
+    const CommandSet& allowed = m_latest.allowed;
+    if (allowed.contains(Command::Jog) || m_jogging || m_stepping) {
         return {};
     }
-    return m_latest.allowed.contains(Command::Enable) ? tr("Press Enable first; a jog needs the drives on")
-                                                      : tr("Wait until the motion is over, or press Stop");
+    if (allowed.contains(Command::Clear)) {
+        return tr("Press Clear and Enable first; a jog needs the drives on");
+    }
+    if (allowed.contains(Command::Enable) || !allowed.contains(Command::Disable)) {
+        return tr("Press Enable first; a jog needs the drives on");
+    }
+    return allowed.contains(Command::Reference)
+               ? tr("Press Reference and Enable first; a jog needs the drives on")
+               : tr("Wait until the motion is over, or press Stop");
 }
 
 void JogPanel::showHint() {
@@ -158,10 +151,10 @@ void JogPanel::showHint() {
         m_hint->showText(tr("That step was not taken: the one before was still under way. Press again."));
     } else if (m_step->currentIndex() == 0) {
         m_hint->showText(tr("Moves while a button is held. Keys, with the focus here: arrows for x and y, "
-                            "page up and down for z, with Shift about them"));
+                            "page up and down for z; hold Shift to rotate about the axis"));
     } else {
-        m_hint->showText(tr("One step a click, or a key: arrows for x and y, page up and down for z, with "
-                            "Shift about them"));
+        m_hint->showText(tr("One step per click or key: arrows for x and y, page up and down for z; hold "
+                            "Shift to rotate about the axis"));
     }
 }
 
@@ -172,17 +165,19 @@ void JogPanel::retranslate() {
     }
     m_frame->setItemText(0, tr("Base"));
     m_frame->setItemText(1, tr("Platform"));
-    m_frame->setToolTip(tr("Along and about the axes of the base, or those of the platform as it stands"));
+    m_frame->setToolTip(
+        tr("Along and about the axes of the base, or those of the platform in its present orientation"));
     m_stepLabel->setText(tr("Step"));
     for (QWidget* widget : std::initializer_list<QWidget*>{m_stepLabel, m_step}) {
         widget->setAccessibleName(tr("Jog step"));
     }
     m_step->setItemText(0, tr("Hold"));
-    m_step->setToolTip(tr("Hold: as long as a button is held. A number: so many mm or degrees a click"));
+    m_step->setToolTip(
+        tr("Hold: moves as long as a button is held. A number: moves by this many mm or degrees per click"));
     m_pad->setAccessibleName(tr("Jog keys"));
     const QString keys =
         tr("Keys, with the focus here: left and right x, down and up y, page down and page up "
-           "z; with Shift alpha, beta, gamma. Letting go ends the motion.");
+           "z; hold Shift for alpha, beta, gamma. Letting go ends the motion.");
     m_pad->setToolTip(keys);
     for (int axis = 0; axis < 6; ++axis) {
         const QString word = coordinateTexts()[static_cast<std::size_t>(axis)].word;

@@ -25,11 +25,11 @@ constexpr int kStopHeight = 38;
 constexpr int kWorkspaceIndex = 1;
 } // namespace
 
-MotionPanel::MotionPanel(const PlatformGeometry& geometry, QWidget* parent)
+MotionPanel::MotionPanel(const SharedModel& model, QWidget* parent)
     : Card(parent), m_modeLabel(new QLabel(this)), m_mode(new QComboBox(this)),
       m_speed(new SpeedControl(this)), m_tabs(new QTabBar(this)), m_stack(new QStackedWidget(this)),
-      m_target(new TargetPanel(geometry, this)), m_jog(new JogPanel(geometry, this)),
-      m_wayPoints(new WayPointsPanel(geometry, this)), m_test(new GuidedTestPanel(geometry, this)),
+      m_target(new TargetPanel(model, this)), m_jog(new JogPanel(model, this)),
+      m_wayPoints(new WayPointsPanel(model, this)), m_test(new GuidedTestPanel(model, this)),
       m_stop(new QPushButton(this)) {
     build();
     wire();
@@ -71,8 +71,8 @@ void MotionPanel::wire() {
         m_wayPoints->setMode(mode());
         m_test->setMode(mode());
     });
-    connect(m_speed, &SpeedControl::partRequested, this,
-            [this](double part) { emit commandRequested(SpeedCommand{part}); });
+    connect(m_speed, &SpeedControl::overrideRequested, this,
+            [this](double speedOverride) { emit commandRequested(SpeedCommand{speedOverride}); });
     connect(m_stop, &QPushButton::clicked, this, &MotionPanel::stop);
     auto* stopKey = new QShortcut(QKeySequence(Qt::Key_Escape), this);
     stopKey->setContext(Qt::ApplicationShortcut);
@@ -80,8 +80,8 @@ void MotionPanel::wire() {
 
     // What is asked for here changes nothing by itself: a list or a test ends when the loop has accepted
     // another motion, which it sees in the snapshots.
-    const auto run = [this](const Pose& pose, MotionId id) {
-        emit commandRequested(RunCommand{pose, mode(), id});
+    const auto run = [this](const Pose& pose, MotionId id, const SharedPlan& plan) {
+        emit commandRequested(RunCommand{pose, mode(), id, plan});
     };
     connect(m_target, &TargetPanel::runRequested, this, run);
     connect(m_wayPoints, &WayPointsPanel::runRequested, this, run);
@@ -126,7 +126,7 @@ void MotionPanel::setSolver(std::shared_ptr<const ForwardSolver> solver) {
 }
 
 void MotionPanel::sessionOpened() {
-    m_speed->say();
+    m_speed->sendOverride();
 }
 
 void MotionPanel::setConnected(bool connected) {
@@ -161,8 +161,8 @@ void MotionPanel::retranslate() {
     m_mode->setItemText(0, tr("Joint"));
     m_mode->setItemText(kWorkspaceIndex, tr("Workspace"));
     m_mode->setToolTip(
-        tr("Joint: each leg on a straight path in its length. Workspace: the platform on a straight "
-           "path, the loop closed on its measured pose. Changing it moves nothing."));
+        tr("Joint: each leg changes its length steadily. Workspace: the platform moves in a straight "
+           "line, corrected by its measured pose. Changing it moves nothing."));
     m_tabs->setAccessibleName(tr("Motion pages"));
     m_tabs->setTabText(Target, tr("Target"));
     m_tabs->setTabText(Jog, tr("Jog"));

@@ -30,7 +30,7 @@ class MotionPanel final : public Card {
 public:
     enum Page { Target, Jog, WayPoints, Test };
 
-    explicit MotionPanel(const PlatformGeometry& geometry, QWidget* parent = nullptr);
+    explicit MotionPanel(const SharedModel& model, QWidget* parent = nullptr);
 
     void setControl(const ControlOptions& options);
     void setSolver(std::shared_ptr<const ForwardSolver> solver);

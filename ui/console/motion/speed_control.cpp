@@ -17,10 +17,10 @@ namespace hexapose {
 namespace {
 constexpr int kSlowestPercent = 5;
 constexpr int kFullPercent = 100;
-constexpr int kSpeedStep = 5;      // percent
-constexpr int kSliderHeight = 24;  // the whole of the handle
-constexpr int kSayAgainMs = 250;   // a command takes a cycle or two to show
-constexpr double kSamePart = 1e-6; // of full speed
+constexpr int kSpeedStep = 5;          // percent
+constexpr int kSliderHeight = 24;      // the whole of the handle
+constexpr int kSendAgainMs = 250;      // a command takes a cycle or two to show
+constexpr double kSameOverride = 1e-6; // of full speed
 } // namespace
 
 SpeedControl::SpeedControl(QWidget* parent)
@@ -41,34 +41,34 @@ SpeedControl::SpeedControl(QWidget* parent)
     row->addWidget(m_slider, 1);
     row->addWidget(m_readOut);
     connect(m_slider, &QSlider::valueChanged, this, [this] {
-        showPart();
-        say();
+        showOverride();
+        sendOverride();
     });
     retranslate();
 }
 
-double SpeedControl::part() const {
+double SpeedControl::speedOverride() const {
     return static_cast<double>(m_slider->value()) / kFullPercent;
 }
 
-void SpeedControl::say() {
-    m_sinceSaid.start();
-    emit partRequested(part());
+void SpeedControl::sendOverride() {
+    m_sinceSent.start();
+    emit overrideRequested(speedOverride());
 }
 
 void SpeedControl::showSnapshot(const Snapshot& snapshot) {
     if (snapshot.held != m_held) {
         m_held = snapshot.held;
-        showPart();
+        showOverride();
     }
     const bool loop = snapshot.link != LinkState::Lost && snapshot.measuredLengths.has_value();
-    const bool differs = std::abs(snapshot.speed - part()) > kSamePart;
-    if (loop && differs && (!m_sinceSaid.isValid() || m_sinceSaid.elapsed() > kSayAgainMs)) {
-        say();
+    const bool differs = std::abs(snapshot.speed - speedOverride()) > kSameOverride;
+    if (loop && differs && (!m_sinceSent.isValid() || m_sinceSent.elapsed() > kSendAgainMs)) {
+        sendOverride();
     }
 }
 
-void SpeedControl::showPart() {
+void SpeedControl::showOverride() {
     m_readOut->showText(m_held ? tr("held") : QStringLiteral("%1 %").arg(m_slider->value()));
     setTone(*m_readOut, m_held ? Tone::Warn : Tone::Idle);
 }
@@ -79,7 +79,7 @@ void SpeedControl::retranslate() {
     m_slider->setToolTip(
         tr("Speed override: per cent of full speed for every motion; may be changed during a move"));
     m_readOut->setAccessibleName(tr("Speed in force"));
-    showPart();
+    showOverride();
 }
 
 void SpeedControl::changeEvent(QEvent* event) {

@@ -21,26 +21,26 @@ public:
     explicit SpeedControl(QWidget* parent = nullptr);
 
     /// What the loop should have, 0..1.
-    double part() const;
-    /// Says the speed again where the loop has another: it may be a new loop, or a stop may have swept the
-    /// command away.
+    double speedOverride() const;
+    /// Sends the override again where the loop has another: it may be a new loop, or a stop may have swept
+    /// the command away.
     void showSnapshot(const Snapshot& snapshot);
-    void say();
+    void sendOverride();
 
 signals:
-    void partRequested(double part);
+    void overrideRequested(double speedOverride);
 
 protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    void showPart();
+    void showOverride();
     void retranslate();
 
     QLabel* m_label;
     QSlider* m_slider;
     ReadOut* m_readOut;
-    QElapsedTimer m_sinceSaid;
+    QElapsedTimer m_sinceSent;
     bool m_held = false;
 };
 

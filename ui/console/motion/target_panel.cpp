@@ -12,12 +12,15 @@
 #include "ui/console/events/motion_check_text.h"
 #include "ui/console/motion/axis_range.h"
 #include "ui/console/motion/named_poses.h"
+#include "ui/console/motion/plan_start.h"
 
 #include <QEvent>
 #include <QGridLayout>
 #include <QPushButton>
 #include <QShowEvent>
 #include <QVBoxLayout>
+
+#include <utility>
 
 namespace hexapose {
 
@@ -26,6 +29,8 @@ namespace {
 constexpr int kCheckEveryMs = 250;
 constexpr int kCheckInMotionEveryMs = 1000;
 constexpr double kSamePlace = 1e-4;    // m
+constexpr double kSameSetPoint = 2e-4; // m
+constexpr int kPatienceMs = 200;
 constexpr double kSameAttitude = 1e-3; // rad
 constexpr int kValidityLines = 3;
 
@@ -37,9 +42,12 @@ QString rangeText(const std::pair<double, double>& range, int coordinate) {
 
 } // namespace
 
-TargetPanel::TargetPanel(const PlatformGeometry& geometry, QWidget* parent)
-    : QWidget(parent), m_planner(makeModel(geometry), plannerSettings({}, geometry)) {
+TargetPanel::TargetPanel(const SharedModel& model, QWidget* parent)
+    : QWidget(parent), m_planner(model, plannerSettings({}, model->geometry())) {
     build();
+    m_patience.setSingleShot(true);
+    m_patience.setInterval(kPatienceMs);
+    connect(&m_patience, &QTimer::timeout, this, &TargetPanel::showValidity);
     setTarget(Pose{});
     setConnected(false);
     retranslate();
@@ -123,8 +131,8 @@ void TargetPanel::buildButtons(QVBoxLayout& column) {
     connect(m_run, &QPushButton::clicked, this, &TargetPanel::run);
     connect(m_reset, &QPushButton::clicked, this, [this] { setTarget(Pose{}); });
     connect(m_copy, &QPushButton::clicked, this, [this] {
-        if (m_measured) {
-            setTarget(*m_measured);
+        if (m_start) {
+            setTarget(m_start->pose);
         }
     });
 }
@@ -142,7 +150,7 @@ void TargetPanel::setMode(MotionMode mode) {
 void TargetPanel::setConnected(bool connected) {
     m_connected = connected;
     updateRun();
-    showVerdict();
+    showValidity();
 }
 
 void TargetPanel::updateRun() {
@@ -175,37 +183,51 @@ QString TargetPanel::runReason() const {
     if (!m_hindrance.isEmpty()) {
         return m_hindrance;
     }
-    return m_check && !m_check->ok() ? motionCheckText(*m_check) : QString();
+    if (m_check && !m_check->ok()) {
+        return motionCheckText(*m_check);
+    }
+    if (!m_start) {
+        return tr("Cannot run: no valid measurement received");
+    }
+    return isPlanned() ? QString() : tr("Checking the target");
+}
+
+/// Whether the plan is of exactly what stands in the fields, under the limits that hold.
+bool TargetPanel::isPlanned() const {
+    const auto pose = target();
+    return pose && m_plan && m_plan->isFor({*pose, m_mode}) && m_plan->limits == m_planner.limits();
 }
 
 void TargetPanel::showSnapshot(const Snapshot& snapshot) {
-    const bool live = !snapshot.stale && snapshot.measuredPose;
+    const bool hindered = !m_hindrance.isEmpty();
     if (const QString hindrance = runInhibit(snapshot); hindrance != m_hindrance) {
         m_hindrance = hindrance;
         updateRun();
-        showVerdict();
+        showValidity();
     }
-    const bool had = m_measured.has_value();
-    m_measured = live ? snapshot.measuredPose : std::nullopt;
+    const bool had = m_start.has_value();
+    m_start = planStart(snapshot);
+    const MotionLimits before = m_planner.limits();
     m_planner.setControllerLimits(snapshot.minLength, snapshot.maxLength);
-    m_copy->setEnabled(m_measured.has_value());
-    // A check takes some milliseconds, for which every key waits: none where nothing has changed.
+    m_copy->setEnabled(m_start.has_value());
     const bool moving = snapshot.state == RunState::Moving;
-    const bool due =
-        !m_sinceCheck.isValid() ||
-        (m_sinceCheck.elapsed() > (moving ? kCheckInMotionEveryMs : kCheckEveryMs) && hasMoved());
-    if (had != m_measured.has_value() || (due && isVisible())) {
+    const bool due = !m_sinceCheck.isValid() ||
+                     (m_sinceCheck.elapsed() > (moving ? kCheckInMotionEveryMs : kCheckEveryMs) &&
+                      !isPlanning() && hasMoved());
+    if (had != m_start.has_value() || hindered != !m_hindrance.isEmpty() || !(before == m_planner.limits()) ||
+        (due && isVisible())) {
         checkTarget();
     }
 }
 
-/// Since the last judgement, by more than the measurement's rounding.
+/// Since the last check, by more than the measurement's rounding.
 bool TargetPanel::hasMoved() const {
-    if (!m_measured || !m_plannerdFrom) {
-        return m_measured.has_value() != m_plannerdFrom.has_value();
+    if (!m_start || !m_checkedFrom) {
+        return m_start.has_value() != m_checkedFrom.has_value();
     }
-    const Twist gone = displacement(*m_plannerdFrom, *m_measured);
-    return gone.head<3>().norm() > kSamePlace || gone.tail<3>().norm() > kSameAttitude;
+    const Twist gone = displacement(m_checkedFrom->pose, m_start->pose);
+    return gone.head<3>().norm() > kSamePlace || gone.tail<3>().norm() > kSameAttitude ||
+           (m_start->setPoint - m_checkedFrom->setPoint).cwiseAbs().maxCoeff() > kSameSetPoint;
 }
 
 void TargetPanel::showEvent(QShowEvent* event) {
@@ -234,9 +256,8 @@ std::optional<Pose> TargetPanel::target() const {
 }
 
 void TargetPanel::run() {
-    checkTarget();
     if (const auto pose = target(); pose && runReason().isEmpty()) {
-        emit runRequested(*pose, m_ids.take());
+        emit runRequested(*pose, m_ids.take(), m_plan);
     }
 }
 
@@ -245,22 +266,45 @@ void TargetPanel::checkTarget() {
         return;
     }
     m_sinceCheck.start();
-    m_plannerdFrom = m_measured;
+    m_checkedFrom = m_start;
     const auto pose = target();
-    if (!pose) {
-        m_check.reset();
-    } else if (m_measured) {
-        m_check = m_planner.check(*m_measured, *pose, m_mode);
-    } else {
-        m_check = m_planner.check(*pose);
+    m_check = pose ? std::optional(m_planner.check(*pose)) : std::nullopt;
+    if (m_check && m_check->ok() && m_start && m_hindrance.isEmpty()) {
+        plan({*pose, m_mode});
+    } else { // there is nothing to plan, or nothing to plan from
+        m_planning.cancel();
+        m_plan.reset();
+        m_waiting = false;
     }
     if (m_named != nullptr) {
         m_named->setTargetWhole(pose.has_value());
     }
     emit targetEdited();
     updateRun();
-    showVerdict();
+    showValidity();
     showRanges();
+}
+
+/// Beside the screen: until the plan is there, that of before counts only if it is of the same motion.
+void TargetPanel::plan(const StraightMove& move) {
+    m_check = isPlanned() ? std::optional(m_plan->check) : std::nullopt;
+    if (const bool was = std::exchange(m_waiting, !m_check); m_waiting && !was) {
+        m_patience.start();
+    }
+    m_planning.start(
+        [planner = m_planner, start = *m_start, move](const Job& job) {
+            return std::make_shared<const PlannedMotion>(planner.plan(start, move, planBudget(job)));
+        },
+        [this](const Job::Outcome<SharedPlan>& outcome) {
+            if (!outcome.result) {
+                return; // no memory: Run stays disabled until something is edited
+            }
+            m_plan = *outcome.result;
+            m_check = m_plan->check;
+            m_waiting = false;
+            updateRun();
+            showValidity();
+        });
 }
 
 void TargetPanel::showRanges() {
@@ -272,14 +316,12 @@ void TargetPanel::showRanges() {
             label.setText(field.refusal());
             continue;
         }
-        const auto range = m_measured ? axisRange(m_planner.model().geometry(),
-                                                  m_planner.limitsAt(*m_measured), *m_measured, i)
-                                      : std::nullopt;
+        const auto range = m_start ? axisRange(m_planner, m_start->pose, i) : std::nullopt;
         label.setText(range ? rangeText(*range, i) : ReadOut::dash());
     }
 }
 
-void TargetPanel::showVerdict() {
+void TargetPanel::showValidity() {
     if (const QString refused = refusedField(); !refused.isEmpty()) {
         setTone(*m_lamp, Tone::Bad);
         m_validity->showText(refused);
@@ -298,6 +340,9 @@ void TargetPanel::showVerdict() {
     if (m_check) {
         setTone(*m_lamp, m_check->ok() ? Tone::Good : Tone::Bad);
         m_validity->showText(motionCheckText(*m_check));
+    } else if (!m_patience.isActive()) {
+        setTone(*m_lamp, Tone::Idle);
+        m_validity->showText(tr("Checking the target"));
     }
 }
 
@@ -316,7 +361,7 @@ void TargetPanel::retranslate() {
     label(*m_reset, tr("Reset"), tr("Put the home pose into the fields; nothing moves"));
     label(*m_copy, tr("Copy measured"), tr("Put the measured pose into the fields; nothing moves"));
     updateRun();
-    showVerdict();
+    showValidity();
     showRanges();
 }
 

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/common/file_dialog.h"
 #include "ui/common/labelled.h"
 #include "ui/common/read_out.h"
 #include "ui/console/motion/way_point_table.h"
 #include "ui/console/motion/way_points_panel.h"
 
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -59,7 +59,8 @@ void WayPointsPanel::build() {
 
     connect(m_table, &WayPointTable::edited, this, &WayPointsPanel::followTable);
     connect(m_table, &QTableWidget::itemSelectionChanged, this, &WayPointsPanel::updateButtons);
-    connect(m_addMeasured, &QPushButton::clicked, this, [this] { addPose(m_measured); });
+    connect(m_addMeasured, &QPushButton::clicked, this,
+            [this] { addPose(m_from ? std::optional(m_from->pose) : std::nullopt); });
     connect(m_addTarget, &QPushButton::clicked, this,
             [this] { addPose(m_target ? m_target() : std::nullopt); });
     connect(m_remove, &QPushButton::clicked, m_table, &WayPointTable::removeCurrent);
@@ -72,17 +73,20 @@ void WayPointsPanel::build() {
     connect(m_pause, &QPushButton::toggled, this, &WayPointsPanel::setPaused);
 }
 
-/// Beside the window and not before it: Stop stays within reach.
 void WayPointsPanel::chooseFile(bool toSave) {
-    auto* dialog = new QFileDialog(this, toSave ? tr("Save the way-points") : tr("Load way-points"),
-                                   QString(), tr("Poses (*.csv);;All files (*)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(toSave ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
-    dialog->setFileMode(toSave ? QFileDialog::AnyFile : QFileDialog::ExistingFile);
-    dialog->setDefaultSuffix(QStringLiteral("csv"));
-    dialog->setModal(false);
-    connect(dialog, &QFileDialog::fileSelected, this, toSave ? &WayPointsPanel::save : &WayPointsPanel::load);
-    dialog->show();
+    const QString filter = tr("Poses (*.csv);;All files (*)");
+    if (toSave) {
+        askForFile(*this,
+                   {tr("Save the way-points"),
+                    filter,
+                    {},
+                    QFileDialog::AnyFile,
+                    QFileDialog::AcceptSave,
+                    QStringLiteral("csv")},
+                   [this](const QString& file) { save(file); });
+    } else {
+        askForFile(*this, {tr("Load way-points"), filter}, [this](const QString& file) { load(file); });
+    }
 }
 
 void WayPointsPanel::retranslate() {
@@ -92,7 +96,7 @@ void WayPointsPanel::retranslate() {
     label(*m_addTarget, tr("+ Target"), tr("Add target"), {});
     label(*m_load, tr("Load..."), tr("Load way-points"),
           tr("From CSV: columns x_mm, y_mm, z_mm, alpha_deg, beta_deg, gamma_deg"));
-    label(*m_save, tr("Save..."), tr("Save way-points"), tr("As CSV, of the same columns"));
+    label(*m_save, tr("Save..."), tr("Save way-points"), tr("As CSV with the same columns"));
     label(*m_play, tr("Play"), tr("Play"), tr("Visit them all, from the first; the platform moves"));
     label(*m_pause, tr("Pause"), tr("Pause motion"), tr("Hold the motion on its path; press again to go on"));
     label(*m_step, tr("Step"), tr("Step"), tr("Go to the next one only; the platform moves"));

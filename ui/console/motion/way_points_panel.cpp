@@ -6,8 +6,10 @@
 #include "core/record/pose_list.h"
 #include "ui/common/read_out.h"
 #include "ui/common/status_text.h"
+#include "ui/console/events/input_fault_text.h"
 #include "ui/console/events/motion_check_text.h"
 #include "ui/console/events/sequence_end_text.h"
+#include "ui/console/motion/plan_start.h"
 #include "ui/console/motion/way_point_file.h"
 #include "ui/console/motion/way_point_table.h"
 
@@ -24,11 +26,18 @@ namespace hexapose {
 
 namespace {
 constexpr std::chrono::nanoseconds kNoDwell{0}; // it has settled; there is nothing to wait for
-}
+constexpr int kPatienceMs = 200;
+/// One in workspace mode may hold 150 kB; those after these are made once more, by the loop.
+constexpr std::size_t kKeptPlans = 200;
+} // namespace
 
-WayPointsPanel::WayPointsPanel(const PlatformGeometry& geometry, QWidget* parent)
-    : QWidget(parent), m_planner(makeModel(geometry), plannerSettings({}, geometry)) {
+WayPointsPanel::WayPointsPanel(const SharedModel& model, QWidget* parent)
+    : QWidget(parent), m_planner(model, plannerSettings({}, model->geometry())) {
     build();
+    m_patience.setSingleShot(true);
+    m_patience.setInterval(kPatienceMs);
+    connect(&m_patience, &QTimer::timeout, this,
+            [this] { setMessage([] { return tr("Checking the list; Stop ends it"); }); });
     m_text = [] { return tr("Add poses, or load them; nothing moves until Play or Step"); };
     retranslate();
     updateButtons();
@@ -45,10 +54,17 @@ void WayPointsPanel::setConnected(bool connected) {
 
 void WayPointsPanel::showSnapshot(const Snapshot& snapshot) {
     m_planner.setControllerLimits(snapshot.minLength, snapshot.maxLength);
-    m_measured = snapshot.stale ? std::nullopt : snapshot.measuredPose;
-    m_ready = runInhibit(snapshot).isEmpty() && m_measured.has_value();
+    m_from = planStart(snapshot);
+    m_ready = runInhibit(snapshot).isEmpty() && m_from.has_value();
     followHold(snapshot);
     updateButtons();
+}
+
+void WayPointsPanel::setMode(MotionMode mode) {
+    m_mode = mode;
+    if (isPlanning() && m_from) {
+        plan();
+    }
 }
 
 void WayPointsPanel::setTargetSource(std::function<std::optional<Pose>()> target) {
@@ -75,40 +91,66 @@ void WayPointsPanel::step() {
     start(m_next < m_table->rowCount() ? m_next : 0, 1);
 }
 
-/// All of them, one after the other from the present pose; reports the first that cannot be reached.
-bool WayPointsPanel::checkRows(int first, int count, std::vector<Pose>& poses) {
-    std::optional<Pose> from = m_measured;
-    for (int row = first; row < first + count; ++row) {
-        const QString number = QString::number(row + 1);
-        const auto pose = m_table->poseAt(row);
-        if (!pose) {
-            return false; // the message has it already
-        }
-        const MotionCheck check = from ? m_planner.check(*from, *pose, m_mode) : m_planner.check(*pose);
-        if (!check.ok()) {
-            tell([=] { return tr("Row %1: %2. Nothing moved.").arg(number, motionCheckText(check)); });
-            m_table->setCurrentCell(row, 0);
-            return false;
-        }
-        poses.push_back(*pose);
-        from = pose;
-    }
-    return true;
-}
-
 void WayPointsPanel::start(int first, int count) {
     m_table->finishEditing();
-    std::vector<Pose> poses;
-    if (isRunning() || m_refusal || !m_connected || !m_ready || count < 1 ||
-        !checkRows(first, count, poses)) {
+    if (isRunning() || m_refusal || !m_connected || !m_ready || count < 1) {
         return;
     }
     m_first = first;
-    const MotionId firstId = m_ids.take(poses.size());
-    m_sequence.emplace(std::move(poses), kNoDwell, firstId);
+    m_poses.clear();
+    for (int row = first; row < first + count; ++row) {
+        m_poses.push_back(m_table->poseAt(row).value_or(Pose{})); // whole: no cell is refused
+    }
+    m_patience.start();
+    plan();
+    updateButtons();
+}
+
+/// All of them, one after the other from where the platform is, up to the first that cannot be reached.
+void WayPointsPanel::plan() {
+    m_planning.start(
+        [planner = m_planner, from = *m_from, poses = m_poses, mode = m_mode](const Job& job) {
+            std::vector<SharedPlan> plans;
+            PlanStart start = from;
+            for (const Pose& pose : poses) {
+                PlannedMotion planned = planner.plan(start, StraightMove{pose, mode}, planBudget(job));
+                start = {planned.endLengths, pose};
+                if (plans.size() >= kKeptPlans) {
+                    planned.motion.reset();
+                }
+                plans.push_back(std::make_shared<const PlannedMotion>(std::move(planned)));
+                if (!plans.back()->check.ok() || job.isCancelled()) {
+                    break;
+                }
+            }
+            return plans;
+        },
+        [this](const Job::Outcome<std::vector<SharedPlan>>& outcome) {
+            begin(outcome.result.value_or(std::vector<SharedPlan>()));
+        });
+}
+
+void WayPointsPanel::begin(std::vector<SharedPlan> plans) {
+    m_patience.stop();
+    const auto row = m_first + static_cast<int>(plans.size()) - 1;
+    if (!plans.empty() && !plans.back()->check.ok()) {
+        const QString number = QString::number(row + 1);
+        const MotionCheck check = plans.back()->check;
+        m_table->setCurrentCell(row, 0);
+        end([=] { return tr("Row %1: %2. Nothing moved.").arg(number, motionCheckText(check)); });
+        return;
+    }
+    if (plans.empty() || !m_ready) { // any more
+        end([] { return tr("The platform is not ready any more. Nothing moved."); });
+        return;
+    }
+    const MotionId firstId = m_ids.take(m_poses.size());
+    m_plans = std::move(plans);
+    m_plans.resize(std::min(m_plans.size(), kKeptPlans));
+    m_sequence.emplace(std::move(m_poses), kNoDwell, firstId);
     const QString all = QString::number(m_table->rowCount());
-    tell([this, all] { return tr("To way-point %1 of %2").arg(QString::number(visited() + 1), all); });
-    m_table->mark(first);
+    setMessage([this, all] { return tr("To way-point %1 of %2").arg(QString::number(visited() + 1), all); });
+    m_table->mark(m_first);
     updateButtons();
 }
 
@@ -156,11 +198,14 @@ void WayPointsPanel::end(const Text& text) {
     if (m_sequence && m_sequence->phase() != PoseSequence::Phase::Done) {
         m_next = visited(); // Step tries it again
     }
+    m_planning.cancel();
+    m_patience.stop();
+    m_plans.clear();
     m_sequence.reset();
     m_due.reset();
     m_paused = false; // what the loop holds it goes on to hold
     m_table->mark(-1);
-    tell(text);
+    setMessage(text);
     updateButtons();
 }
 
@@ -189,11 +234,13 @@ void WayPointsPanel::followHold(const Snapshot& snapshot) {
 void WayPointsPanel::requestDue() {
     if (m_due && !m_paused) {
         m_asked = *std::exchange(m_due, std::nullopt);
-        emit runRequested(m_asked, m_sequence->id());
+        const std::size_t at = m_sequence->finished();
+        const SharedPlan plan = at < m_plans.size() ? std::exchange(m_plans[at], nullptr) : nullptr;
+        emit runRequested(m_asked, m_sequence->id(), plan);
     }
 }
 
-void WayPointsPanel::tell(const Text& text) {
+void WayPointsPanel::setMessage(const Text& text) {
     m_text = text;
     showMessage();
 }
@@ -208,10 +255,9 @@ void WayPointsPanel::load(const QString& file) {
         m_next = 0;
         const QString name = QFileInfo(file).fileName();
         const auto count = poses.size();
-        tell([=] { return tr("%1 way-points from %2").arg(QString::number(count), name); });
+        setMessage([=] { return tr("%1 way-points from %2").arg(QString::number(count), name); });
     } catch (const InputError& error) {
-        const QString reason = QString::fromUtf8(error.what());
-        tell([reason] { return tr("The list cannot be used: %1").arg(reason); });
+        setMessage([error] { return tr("The list cannot be used: %1").arg(inputFaultText(error)); });
     }
 }
 
@@ -226,7 +272,7 @@ void WayPointsPanel::save(const QString& file) {
         poses.push_back(m_table->poseAt(row).value_or(Pose{}));
     }
     const QString fault = saveWayPoints(file, poses);
-    tell([=] {
+    setMessage([=] {
         return fault.isEmpty() ? tr("Saved as %1").arg(file) : tr("The list cannot be saved: %1").arg(fault);
     });
 }
@@ -252,7 +298,7 @@ void WayPointsPanel::updateButtons() {
     const int rows = m_table->rowCount();
     const int at = m_table->currentRow();
     m_table->setEditable(!running);
-    m_addMeasured->setEnabled(!running && m_measured.has_value());
+    m_addMeasured->setEnabled(!running && m_from.has_value());
     const bool targetWhole = m_target && m_target();
     m_addTarget->setEnabled(!running && targetWhole);
     m_addTarget->setToolTip(targetWhole ? tr("Add the pose of the target's fields; nothing moves")

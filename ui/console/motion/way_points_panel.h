@@ -6,8 +6,10 @@
 #include "core/record/snapshot.h"
 #include "core/session/pose_sequence.h"
 #include "ui/common/motion_ids.h"
+#include "ui/common/newest_job.h"
 #include "ui/console/motion/way_point_table.h"
 
+#include <QTimer>
 #include <QWidget>
 
 #include <functional>
@@ -21,25 +23,27 @@ namespace hexapose {
 
 class TextReadOut;
 
-/// A list of poses: played from the first to the last, held on the path, or taken one at a time. It is judged
-/// whole before anything moves.
+/// A list of poses: played from the first to the last, held on the path, or taken one at a time. It is
+/// planned whole before anything moves, on a thread of its own, and each Run sends its plan.
 class WayPointsPanel final : public QWidget {
     Q_OBJECT
 public:
-    explicit WayPointsPanel(const PlatformGeometry& geometry, QWidget* parent = nullptr);
+    explicit WayPointsPanel(const SharedModel& model, QWidget* parent = nullptr);
 
     void setControl(const ControlOptions& options) {
         m_planner.setSettings(plannerSettings(options, m_planner.model().geometry()));
     }
     void setConnected(bool connected);
-    void setMode(MotionMode mode) { m_mode = mode; }
+    void setMode(MotionMode mode);
     /// Every snapshot: it says when the next pose is due, and why the list ends early.
     void add(const Snapshot& snapshot);
     void showSnapshot(const Snapshot& snapshot);
     /// What "Add target" adds.
     void setTargetSource(std::function<std::optional<Pose>()> target);
 
-    bool isRunning() const { return m_sequence.has_value(); }
+    /// From the press on.
+    bool isRunning() const { return m_sequence.has_value() || isPlanning(); }
+    bool isPlanning() const { return m_planning.isRunning(); }
     /// The list waits, or the loop holds a motion, whoever's it is.
     bool isPaused() const { return m_paused || m_held; }
     /// Ends the list; what moves is stopped by Stop, not by this.
@@ -54,7 +58,7 @@ public slots:
     void save(const QString& file);
 
 signals:
-    void runRequested(const hexapose::Pose& target, hexapose::MotionId id);
+    void runRequested(const hexapose::Pose& target, hexapose::MotionId id, const hexapose::SharedPlan& plan);
     void runAccepted(const hexapose::Pose& target);
     void holdRequested(bool held); ///< the motion, on its path
 
@@ -68,13 +72,14 @@ private:
     void addPose(const std::optional<Pose>& pose);
     QPushButton* addButton(QHBoxLayout& row, int stretch = 1);
     void start(int first, int count);
-    bool checkRows(int first, int count, std::vector<Pose>& poses);
+    void plan();
+    void begin(std::vector<SharedPlan> plans);
     void setPaused(bool paused);
     void followHold(const Snapshot& snapshot);
     void requestDue();
     void end(const Text& text);
     int visited() const; ///< row, from 0
-    void tell(const Text& text);
+    void setMessage(const Text& text);
     void showMessage();
     void followTable();
     void chooseFile(bool toSave);
@@ -83,7 +88,9 @@ private:
     MotionPlanner m_planner;
     MotionMode m_mode = MotionMode::Joint;
     std::function<std::optional<Pose>()> m_target;
-    std::optional<Pose> m_measured; ///< present and usable
+    std::optional<PlanStart> m_from; ///< present and usable
+    std::vector<Pose> m_poses;       ///< of the list that is being planned
+    std::vector<SharedPlan> m_plans; ///< of the list, as far as they are kept; null once sent
     std::optional<PoseSequence> m_sequence;
     std::optional<WayPointTable::Refusal> m_refusal; ///< of a cell
     MotionIds m_ids{MotionAsker::WayPoints};
@@ -111,6 +118,8 @@ private:
     QPushButton* m_pause = nullptr;
     QPushButton* m_step = nullptr;
     TextReadOut* m_message = nullptr;
+    QTimer m_patience; ///< until it is over, nothing is said of the planning
+    NewestJob m_planning{QStringLiteral("list planning")};
 };
 
 } // namespace hexapose

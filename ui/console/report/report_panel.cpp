@@ -4,8 +4,10 @@
 
 #include "core/base/input_error.h"
 #include "core/record/pose_list.h"
+#include "ui/common/file_dialog.h"
 #include "ui/common/read_out.h"
 #include "ui/common/status_text.h"
+#include "ui/console/events/input_fault_text.h"
 #include "ui/console/events/sequence_end_text.h"
 #include "ui/console/report/report_preview.h"
 #include "ui/console/report/report_writer.h"
@@ -14,7 +16,6 @@
 #include <QComboBox>
 #include <QDir>
 #include <QEvent>
-#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -31,8 +32,8 @@ constexpr std::uint64_t kSeed = 1;
 
 } // namespace
 
-ReportPanel::ReportPanel(const PlatformGeometry& geometry, QWidget* parent)
-    : QWidget(parent), m_geometry(geometry), m_writer(new ReportWriter(this)) {
+ReportPanel::ReportPanel(SharedModel model, QWidget* parent)
+    : QWidget(parent), m_model(std::move(model)), m_writer(new ReportWriter(this)) {
     connect(m_writer, &ReportWriter::written, this, &ReportPanel::showWritten);
     connect(m_writer, &ReportWriter::failed, this, &ReportPanel::showWriteFailure);
     build();
@@ -130,13 +131,12 @@ void ReportPanel::advance(const std::optional<Pose>& next) {
 
 void ReportPanel::runReport() {
     try {
-        runList(m_listFile.isEmpty() ? defaultPoses(m_geometry, kPoses, kSeed)
+        runList(m_listFile.isEmpty() ? defaultPoses(m_model->geometry(), kPoses, kSeed)
                                      : readPoseList(m_listFile.toStdString()));
     } catch (const InputError& error) {
-        const QString reason = QString::fromUtf8(error.what());
-        m_progress->showText(reason);
-        emit noted([reason] {
-            return EventText{tr("The list of poses cannot be used: %1").arg(reason),
+        m_progress->showText(inputFaultText(error));
+        emit noted([error] {
+            return EventText{tr("The list of poses cannot be used: %1").arg(inputFaultText(error)),
                              tr("Correct the file, or choose another."), Tone::Warn};
         });
     }
@@ -170,7 +170,7 @@ void ReportPanel::clearSamples() {
 }
 
 void ReportPanel::rebuildReport() {
-    m_report = m_solver ? makeErrorReport(m_geometry, *m_solver, m_samples) : ErrorReport{};
+    m_report = m_solver ? makeErrorReport(m_model->geometry(), *m_solver, m_samples) : ErrorReport{};
     m_preview->setReport(m_report);
     fillSampleTable(*m_table, m_report);
     m_clear->setEnabled(!m_samples.empty());
@@ -178,7 +178,7 @@ void ReportPanel::rebuildReport() {
 
 void ReportPanel::exportReport() {
     if (m_samples.empty()) {
-        // A pose that has stood for half of its time is good enough for who asks now.
+        // For an export that is asked for now, half of the time at rest is enough.
         SettledSampler ended = m_sampler;
         if (const auto sample = ended.finish()) {
             m_sampler = SettledSampler();
@@ -224,15 +224,11 @@ void ReportPanel::showFiles(const QString& text) {
 }
 
 void ReportPanel::chooseList() {
-    auto* dialog = new QFileDialog(this, tr("List of poses"), QString(), tr("Poses (*.csv);;All files (*)"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
+    askForFile(*this, {tr("List of poses"), tr("Poses (*.csv);;All files (*)")}, [this](const QString& file) {
         m_listFile = file;
         retranslate();
         m_list->setCurrentIndex(1);
     });
-    dialog->open();
 }
 
 void ReportPanel::showProgress() {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/kinematics/platform_model.h"
 #include "core/report/error_report.h"
 #include "core/session/pose_sequence.h"
 #include "ui/common/motion_ids.h"
@@ -31,7 +32,7 @@ class TextReadOut;
 class ReportPanel final : public QWidget {
     Q_OBJECT
 public:
-    explicit ReportPanel(const PlatformGeometry& geometry, QWidget* parent = nullptr);
+    explicit ReportPanel(SharedModel model, QWidget* parent = nullptr);
 
     void setSolver(std::shared_ptr<const ForwardSolver> solver);
     void setConnected(bool connected);
@@ -86,7 +87,7 @@ private:
     void updateRun();
     void retranslate();
 
-    PlatformGeometry m_geometry;
+    SharedModel m_model;
     std::shared_ptr<const ForwardSolver> m_solver;
     SettledSampler m_sampler;
     std::vector<SettledSample> m_samples;

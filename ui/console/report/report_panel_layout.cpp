@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/common/card.h"
+#include "ui/common/file_dialog.h"
 #include "ui/common/labelled.h"
 #include "ui/common/read_out.h"
 #include "ui/console/report/report_panel.h"
@@ -8,7 +9,6 @@
 #include "ui/console/report/sample_table.h"
 
 #include <QComboBox>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -95,11 +95,8 @@ QWidget* ReportPanel::buildFolderRow() {
     }
     connect(m_folder, &QLineEdit::textEdited, this, [this] { m_folderChosen = true; });
     connect(m_browseFolder, &QPushButton::clicked, this, [this] {
-        auto* dialog = new QFileDialog(this, tr("Folder of the report"), folder());
-        dialog->setAttribute(Qt::WA_DeleteOnClose);
-        dialog->setFileMode(QFileDialog::Directory);
-        connect(dialog, &QFileDialog::fileSelected, this, &ReportPanel::setFolder);
-        dialog->open();
+        askForFile(*this, {tr("Folder of the report"), {}, folder(), QFileDialog::Directory},
+                   [this](const QString& chosen) { setFolder(chosen); });
     });
     return foot;
 }

@@ -5,6 +5,7 @@
 #include "core/base/number_text.h"
 #include "ui/common/card.h"
 #include "ui/common/read_out.h"
+#include "ui/console/events/event_text.h"
 #include "ui/console/events/payload_text.h"
 
 #include <QEvent>
@@ -39,7 +40,7 @@ void Banner::showSnapshot(const Snapshot& snapshot, bool open) {
     m_open = open;
     for (const Event& event : snapshot.events) {
         if (event.code == EventCode::LinkLost || event.code == EventCode::LoopFailed) {
-            m_linkReason = payloadText(event.data);
+            m_lossCause = event;
         }
     }
     refresh();
@@ -47,12 +48,12 @@ void Banner::showSnapshot(const Snapshot& snapshot, bool open) {
 
 void Banner::showClosed() {
     m_open = false;
-    m_linkReason.clear();
+    m_lossCause.reset();
     refresh();
 }
 
-void Banner::showLogFailure(const QString& reason) {
-    m_logFailure = reason;
+void Banner::showLogFailure(const std::optional<LogFailure>& failure) {
+    m_logFailure = failure;
     refresh();
 }
 
@@ -69,6 +70,17 @@ void Banner::endTraining(const QString& failure) {
     refresh();
 }
 
+/// Nobody reconnects where the loop itself has ended.
+QString Banner::lossText() const {
+    if (m_lossCause && m_lossCause->code == EventCode::LoopFailed) {
+        return tr("The control loop ended: %1. Disconnect and connect again.")
+            .arg(loopFailureText(*m_lossCause));
+    }
+    const QString cause = m_lossCause ? payloadText(m_lossCause->data) : QString();
+    return cause.isEmpty() ? tr("Connection lost - reconnecting")
+                           : tr("Connection lost: %1 - reconnecting").arg(cause);
+}
+
 void Banner::refresh() {
     const QString age =
         QString::fromStdString(formatFixed(std::chrono::duration<double>(m_snapshot.age).count(), 1));
@@ -80,8 +92,7 @@ void Banner::refresh() {
     } else if (!m_trainingFailure.isEmpty()) {
         text = m_trainingFailure;
     } else if (m_open && m_snapshot.link == LinkState::Lost) {
-        text = m_linkReason.isEmpty() ? tr("Connection lost - reconnecting")
-                                      : tr("Connection lost: %1 - reconnecting").arg(m_linkReason);
+        text = lossText();
     } else if (m_open && m_snapshot.link == LinkState::Connecting) {
         text = tr("Waiting for the controller to answer");
         tone = Tone::Warn;
@@ -90,8 +101,10 @@ void Banner::refresh() {
         tone = Tone::Warn;
     } else if (m_open && m_snapshot.stale) {
         text = tr("No valid measurement for %1 s: the values shown are old").arg(age);
-    } else if (!m_logFailure.isEmpty()) {
-        text = tr("The log cannot be written: %1").arg(m_logFailure);
+    } else if (m_logFailure) {
+        const QString what = payloadText(*m_logFailure);
+        text = m_logFailure->system.empty() ? tr("The log is not complete: %1").arg(what)
+                                            : tr("The log cannot be written: %1").arg(what);
     } else if (m_open && m_snapshot.link == LinkState::ListenOnly) {
         text = tr("Listen-only source without checksums: transmission errors go unnoticed, and it takes no "
                   "commands");

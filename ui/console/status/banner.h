@@ -24,9 +24,9 @@ public:
     /// open: a connection is wanted.
     void showSnapshot(const Snapshot& snapshot, bool open);
     void showClosed();
-    void showLogFailure(const QString& reason); ///< empty: none
-    void showTraining(double part);             ///< 0..1
-    void endTraining(const QString& failure);   ///< empty: done
+    void showLogFailure(const std::optional<LogFailure>& failure);
+    void showTraining(double part);           ///< 0..1
+    void endTraining(const QString& failure); ///< empty: done
 
 signals:
     void cancelRequested(); ///< of the training
@@ -35,14 +35,15 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    QString lossText() const;
     void refresh();
 
     Snapshot m_snapshot;
     bool m_open = false;
     bool m_training = false;
     QString m_trainingFailure;
-    QString m_logFailure;
-    QString m_linkReason;
+    std::optional<LogFailure> m_logFailure;
+    std::optional<Event> m_lossCause; ///< of the connection: the latest that was reported
     QLabel* m_lamp;
     ReadOut* m_text;
     QProgressBar* m_progress;

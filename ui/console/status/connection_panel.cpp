@@ -11,6 +11,7 @@
 #include <QComboBox>
 #include <QEvent>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -39,6 +40,40 @@ private:
     std::function<void()> m_refresh;
 };
 
+/// Steps through the usual rates, also from one that is typed and none of them.
+class BaudBox final : public QComboBox {
+public:
+    using QComboBox::QComboBox;
+
+protected:
+    void keyPressEvent(QKeyEvent* event) override {
+        switch (event->key()) {
+        case Qt::Key_Up:
+        case Qt::Key_PageUp:
+            return step(-1);
+        case Qt::Key_Down:
+        case Qt::Key_PageDown:
+            return step(1);
+        default:
+            QComboBox::keyPressEvent(event);
+        }
+    }
+
+private:
+    /// As in the list, where the rates grow downwards.
+    void step(int direction) {
+        const int typed = currentText().toInt();
+        int next = direction > 0 ? 0 : count() - 1;
+        while (next >= 0 && next < count() && (itemText(next).toInt() - typed) * direction <= 0) {
+            next += direction;
+        }
+        if (next >= 0 && next < count()) {
+            setCurrentIndex(next);
+            setEditText(itemText(next)); // also where that was the current one before something was typed
+        }
+    }
+};
+
 } // namespace
 
 ConnectionPanel::ConnectionPanel(PortList ports, QWidget* parent)
@@ -57,7 +92,7 @@ void ConnectionPanel::build() {
     m_port->setMinimumWidth(170);
     m_port->addItem(QString());
     m_baudLabel = makeCaption(this);
-    m_baud = new QComboBox(this);
+    m_baud = new BaudBox(this);
     m_baudField = new NumberField(kBaudBounds);
     m_baud->setLineEdit(m_baudField); // which makes it editable
     m_baud->setInsertPolicy(QComboBox::NoInsert);

@@ -18,8 +18,8 @@ namespace {
 constexpr int kDecimals = 3;
 }
 
-LegsPanel::LegsPanel(const PlatformGeometry& geometry, QWidget* parent)
-    : Card(parent), m_geometry(geometry), m_settle(new SettleLine(geometry, this)) {
+LegsPanel::LegsPanel(const SharedModel& model, QWidget* parent)
+    : Card(parent), m_model(model), m_settle(new SettleLine(model, this)) {
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(10);
     grid->setVerticalSpacing(3);
@@ -41,7 +41,7 @@ LegsPanel::LegsPanel(const PlatformGeometry& geometry, QWidget* parent)
 void LegsPanel::addRow(QGridLayout& grid, int leg) {
     Row& row = m_rows[static_cast<std::size_t>(leg)];
     row = {new ReadOut(this), new ReadOut(this), new ReadOut(this), new LegBar(this)};
-    const Leg& geometry = m_geometry.legs[static_cast<std::size_t>(leg)];
+    const Leg& geometry = m_model->geometry().legs[static_cast<std::size_t>(leg)];
     row.bar->setStroke(geometry.minLength, geometry.maxLength);
     grid.addWidget(new QLabel(QStringLiteral("L%1").arg(leg + 1), this), leg + 1, 0);
     grid.addWidget(row.commanded, leg + 1, 1);
@@ -52,7 +52,7 @@ void LegsPanel::addRow(QGridLayout& grid, int leg) {
 
 void LegsPanel::showSnapshot(const Snapshot& snapshot) {
     m_settle->showSnapshot(snapshot);
-    const MotionLimits limits = motionLimits(m_geometry, snapshot.minLength, snapshot.maxLength);
+    const MotionLimits limits = motionLimits(m_model->geometry(), snapshot.minLength, snapshot.maxLength);
     for (int i = 0; i < kLegCount; ++i) {
         const Row& row = m_rows[static_cast<std::size_t>(i)];
         const auto mm = [i](const std::optional<LegLengths>& lengths) {

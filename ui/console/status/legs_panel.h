@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/geometry/platform_geometry.h"
+#include "core/kinematics/platform_model.h"
 #include "core/record/snapshot.h"
 #include "ui/common/card.h"
 
@@ -21,7 +21,7 @@ class SettleLine;
 class LegsPanel final : public Card {
     Q_OBJECT
 public:
-    explicit LegsPanel(const PlatformGeometry& geometry, QWidget* parent = nullptr);
+    explicit LegsPanel(const SharedModel& model, QWidget* parent = nullptr);
     void showSnapshot(const Snapshot& snapshot);
     SettleLine& settleLine() { return *m_settle; }
 
@@ -38,7 +38,7 @@ private:
     void addRow(QGridLayout& grid, int leg);
     void retranslate();
 
-    PlatformGeometry m_geometry;
+    SharedModel m_model;
     std::array<Row, kLegCount> m_rows{};
     std::array<QLabel*, 4> m_heads{};
     SettleLine* m_settle;

@@ -19,7 +19,7 @@ namespace {
 constexpr int kQDecimals = 3;
 } // namespace
 
-PosePanel::PosePanel(const PlatformGeometry& geometry, QWidget* parent) : Card(parent), m_geometry(geometry) {
+PosePanel::PosePanel(SharedModel model, QWidget* parent) : Card(parent), m_model(std::move(model)) {
     auto* grid = new QGridLayout;
     grid->setHorizontalSpacing(10);
     grid->setVerticalSpacing(3);
@@ -41,7 +41,7 @@ void PosePanel::addRow(QGridLayout& grid, int coordinate) {
     row = {new ReadOut(this), new ReadOut(this), new ReadOut(this), new ReadOut(this)};
     const CoordinateText& text = coordinateTexts()[static_cast<std::size_t>(coordinate)];
     grid.addWidget(new QLabel(text.symbol, this), coordinate + 1, 0);
-    grid.addWidget(row.target, coordinate + 1, 1);
+    grid.addWidget(row.path, coordinate + 1, 1);
     grid.addWidget(row.measured, coordinate + 1, 2);
     grid.addWidget(row.error, coordinate + 1, 3);
     row.expected->setDigits(7);
@@ -68,7 +68,7 @@ void PosePanel::addSingularity() {
 void PosePanel::showSnapshot(const Snapshot& snapshot) {
     const std::optional<Pose>& at = snapshot.measuredPose;
     const auto rounding =
-        at ? std::optional(roundingEffect(m_geometry, *at, kLengthResolution)) : std::nullopt;
+        at ? std::optional(roundingEffect(m_model->geometry(), *at, kLengthResolution)) : std::nullopt;
     for (int i = 0; i < 6; ++i) {
         const Row& row = m_rows[static_cast<std::size_t>(i)];
         const int decimals = coordinateTexts()[static_cast<std::size_t>(i)].angle ? 4 : 3;
@@ -79,7 +79,7 @@ void PosePanel::showSnapshot(const Snapshot& snapshot) {
         if (snapshot.measuredPose && snapshot.targetPose) {
             error = displayError(i, snapshot.measuredPose->toVector()[i], snapshot.targetPose->toVector()[i]);
         }
-        row.target->showNumber(shown(snapshot.targetPose), decimals);
+        row.path->showNumber(shown(snapshot.targetPose), decimals);
         row.measured->showNumber(shown(snapshot.measuredPose), decimals);
         row.error->showNumber(error, decimals);
         row.expected->showNumber(rounding ? std::optional(toDisplay(i, rounding->bound[i])) : std::nullopt,
@@ -98,7 +98,7 @@ void PosePanel::showSnapshot(const Snapshot& snapshot) {
 
 void PosePanel::retranslate() {
     setTitle(tr("Pose"));
-    m_heads[0]->setText(tr("target"));
+    m_heads[0]->setText(tr("path"));
     m_heads[1]->setText(tr("measured"));
     m_heads[2]->setText(tr("error"));
     m_heads[3]->setText(QString::fromUtf8("\u00b1 ") + tr("expected"));
@@ -112,7 +112,7 @@ void PosePanel::retranslate() {
     m_q->setToolTip(tip);
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         const QString word = coordinateTexts()[i].word;
-        m_rows[i].target->setAccessibleName(tr("Path %1").arg(word));
+        m_rows[i].path->setAccessibleName(tr("Path %1").arg(word));
         m_rows[i].measured->setAccessibleName(tr("Measured %1").arg(word));
         m_rows[i].error->setAccessibleName(tr("Error %1").arg(word));
         m_rows[i].expected->setAccessibleName(tr("Expected error %1").arg(word));

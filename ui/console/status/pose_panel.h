@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/geometry/platform_geometry.h"
+#include "core/kinematics/platform_model.h"
 #include "core/record/snapshot.h"
 #include "ui/common/card.h"
 
@@ -15,12 +15,12 @@ namespace hexapose {
 class ReadOut;
 class SingularityBar;
 
-/// The pose: the target on the path, the measured one, the error, and the error that the resolution of the
+/// The pose: that of the path, the measured one, the error, and the error that the resolution of the
 /// lengths alone explains; below it how far from singular it is. Nothing is shown without a usable solution.
 class PosePanel final : public Card {
     Q_OBJECT
 public:
-    explicit PosePanel(const PlatformGeometry& geometry, QWidget* parent = nullptr);
+    explicit PosePanel(SharedModel model, QWidget* parent = nullptr);
     void showSnapshot(const Snapshot& snapshot);
 
 protected:
@@ -28,7 +28,7 @@ protected:
 
 private:
     struct Row {
-        ReadOut* target;
+        ReadOut* path;
         ReadOut* measured;
         ReadOut* error;
         ReadOut* expected;
@@ -37,7 +37,7 @@ private:
     void addSingularity();
     void retranslate();
 
-    PlatformGeometry m_geometry;
+    SharedModel m_model;
     std::array<Row, 6> m_rows{};
     std::array<QLabel*, 4> m_heads{};
     QLabel* m_qLabel = nullptr;

@@ -18,8 +18,8 @@ constexpr int kWindowDecimals = 2; // of mm and degrees
 constexpr int kTimeDecimals = 1;   // of seconds
 } // namespace
 
-SettleLine::SettleLine(const PlatformGeometry& geometry, QWidget* parent)
-    : QWidget(parent), m_geometry(geometry), m_control(withDefaults(ControlOptions{}, geometry)),
+SettleLine::SettleLine(const SharedModel& model, QWidget* parent)
+    : QWidget(parent), m_model(model), m_control(withDefaults(ControlOptions{}, model->geometry())),
       m_lamp(makeLamp(this)), m_text(new ReadOut(this)) {
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
@@ -31,7 +31,7 @@ SettleLine::SettleLine(const PlatformGeometry& geometry, QWidget* parent)
 }
 
 void SettleLine::setControl(const ControlOptions& options) {
-    m_control = withDefaults(options, m_geometry);
+    m_control = withDefaults(options, m_model->geometry());
     refresh();
 }
 

@@ -17,7 +17,7 @@ class ReadOut;
 class SettleLine final : public QWidget {
     Q_OBJECT
 public:
-    explicit SettleLine(const PlatformGeometry& geometry, QWidget* parent = nullptr);
+    explicit SettleLine(const SharedModel& model, QWidget* parent = nullptr);
     void setControl(const ControlOptions& options);
     void add(const Snapshot& snapshot); ///< every one: the event must not be missed
     void showSnapshot(const Snapshot& snapshot);
@@ -29,7 +29,7 @@ private:
     QString windowText() const;
     void refresh();
 
-    PlatformGeometry m_geometry;
+    SharedModel m_model;
     ControlOptions m_control; ///< complete
     RunState m_state = RunState::Disconnected;
     MotionMode m_mode = MotionMode::Joint;

@@ -6,6 +6,7 @@
 #include "ui/charts/chart_page.h"
 #include "ui/common/wheel_guard.h"
 #include "ui/console/events/event_list.h"
+#include "ui/console/events/input_fault_text.h"
 #include "ui/console/motion/motion_panel.h"
 #include "ui/console/motion/target_panel.h"
 #include "ui/console/report/report_panel.h"
@@ -36,21 +37,17 @@ double seconds(std::chrono::nanoseconds time) {
     return std::chrono::duration<double>(time).count();
 }
 
-bool drivesAreOn(RunState state) {
-    return state == RunState::Enabled || state == RunState::Moving || state == RunState::Settling;
-}
-
 } // namespace
 
-OperatorWindow::OperatorWindow(const PlatformGeometry& geometry, PortList ports, QWidget* parent)
-    : QMainWindow(parent), m_geometry(geometry), m_connection(new ConnectionPanel(std::move(ports), this)),
-      m_banner(new Banner(this)), m_motion(new MotionPanel(geometry, this)), m_events(new EventList(this)),
-      m_charts(new ChartPage(geometry, this)), m_legs(new LegsPanel(geometry, this)),
-      m_pose(new PosePanel(geometry, this)), m_report(new ReportPanel(geometry, this)),
+OperatorWindow::OperatorWindow(const SharedModel& model, PortList ports, QWidget* parent)
+    : QMainWindow(parent), m_connection(new ConnectionPanel(std::move(ports), this)),
+      m_banner(new Banner(this)), m_motion(new MotionPanel(model, this)), m_events(new EventList(this)),
+      m_charts(new ChartPage(model, this)), m_legs(new LegsPanel(model, this)),
+      m_pose(new PosePanel(model, this)), m_report(new ReportPanel(model, this)),
       m_status(new StatusPanel(this)) {
     build();
     wire();
-    m_status->setPlatform(QString::fromStdString(geometry.name));
+    m_status->setPlatform(QString::fromStdString(model->geometry().name));
     retranslate();
     m_tick.setInterval(kTickMs);
     qApp->installEventFilter(this);
@@ -140,11 +137,11 @@ void OperatorWindow::connectTo(const ConnectionSpec& connection) {
         m_session->open(connection);
         sessionOpened();
     } catch (const InputError& error) {
-        const QString reason = QString::fromUtf8(error.what());
         m_events->addNote(
-            [reason] {
-                return EventText{tr("The log cannot be created, so nothing was connected: %1").arg(reason),
-                                 tr("Free space or choose another folder with --log-dir."), Tone::Bad};
+            [error] {
+                return EventText{
+                    tr("The log cannot be created, so nothing was connected: %1").arg(inputFaultText(error)),
+                    tr("Free space or choose another folder with --log-dir."), Tone::Bad};
             },
             std::chrono::system_clock::now());
     }
@@ -184,8 +181,7 @@ void OperatorWindow::tick() {
     if (!m_session || !m_session->isOpen()) {
         return;
     }
-    const auto failure = m_session->logFailure();
-    m_banner->showLogFailure(failure ? QString::fromStdString(*failure) : QString());
+    m_banner->showLogFailure(m_session->logFailure());
     showSnapshots(m_reader.take());
     followSolver();
 }

@@ -34,7 +34,7 @@ struct ThemeColors;
 class OperatorWindow final : public QMainWindow {
     Q_OBJECT
 public:
-    OperatorWindow(const PlatformGeometry& geometry, PortList ports, QWidget* parent = nullptr);
+    OperatorWindow(const SharedModel& model, PortList ports, QWidget* parent = nullptr);
     ~OperatorWindow() override;
 
     void setColors(const ThemeColors& colors);
@@ -82,7 +82,6 @@ private:
     void askBeforeClosing();
     void retranslate();
 
-    PlatformGeometry m_geometry;
     std::unique_ptr<Session> m_session;
     SnapshotReader m_reader;                       ///< of the session, for all that is on the screen
     std::shared_ptr<const ForwardSolver> m_solver; ///< that is shown: the one in use
