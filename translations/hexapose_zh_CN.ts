@@ -2461,6 +2461,10 @@ Esc：取消光标
         <source>Open a log (Ctrl+O), or drop a file here</source>
         <translation>打开日志（Ctrl+O），或将文件拖放到这里</translation>
     </message>
+    <message>
+        <source>Open log in this layout</source>
+        <translation>用此布局打开日志</translation>
+    </message>
 </context>
 <context>
     <name>hexapose::WayPointsPanel</name>

@@ -3,6 +3,7 @@
 #include "ui/viewer/viewer_window.h"
 
 #include "core/base/input_error.h"
+#include "ui/common/file_dialog.h"
 #include "ui/common/wheel_guard.h"
 #include "ui/viewer/chart_export.h"
 #include "ui/viewer/column_list.h"
@@ -13,7 +14,6 @@
 
 #include <QDragEnterEvent>
 #include <QFile>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QLabel>
 #include <QMessageBox>
@@ -145,28 +145,26 @@ void ViewerWindow::refresh() {
 }
 
 void ViewerWindow::askForLogs(bool inThisLayout) {
-    const QStringList files = QFileDialog::getOpenFileNames(
-        this, tr("Open log"), m_folder, tr("Logs and tables (*.csv *.csv.gz *.tsv *.txt);;All files (*)"));
+    FileQuestion question{inThisLayout ? tr("Open log in this layout") : tr("Open log")};
+    question.filter = tr("Logs and tables (*.csv *.csv.gz *.tsv *.txt);;All files (*)");
+    question.folder = m_folder;
     FirstView first;
     if (inThisLayout && current() != nullptr)
         first.layout = current()->sheet().chartLayout();
-    if (!files.isEmpty())
-        openLogs(files, first);
+    askForFiles(*this, question, [this, first](const QStringList& files) { openLogs(files, first); });
 }
 
 void ViewerWindow::askForExport() {
-    LogPage* page = current();
-    if (page == nullptr)
+    if (current() == nullptr)
         return;
-    const QString start = m_folder + QLatin1Char('/') + QFileInfo(page->file().name()).completeBaseName() +
-                          QStringLiteral("-charts.png");
-    const QString file =
-        QFileDialog::getSaveFileName(this, tr("Export"), start,
-                                     tr("PNG picture (*.png);;SVG drawing (*.svg);;PDF page (*.pdf);;Rows "
-                                        "shown, as they stand in the log (*.csv)"));
-    if (file.isEmpty())
-        return;
-    exportTo(file);
+    FileQuestion question{tr("Export")};
+    question.filter = tr("PNG picture (*.png);;SVG drawing (*.svg);;PDF page (*.pdf);;"
+                         "Rows shown, as they stand in the log (*.csv)");
+    question.folder = m_folder;
+    question.mode = QFileDialog::AnyFile;
+    question.accept = QFileDialog::AcceptSave;
+    question.suffix = QStringLiteral("png");
+    askForFile(*this, question, [this](const QString& file) { exportTo(file); });
 }
 
 /// In the background: rows by the gigabyte take their time.
@@ -192,28 +190,28 @@ void ViewerWindow::exportTo(const QString& file) {
 void ViewerWindow::saveLayout() {
     if (current() == nullptr)
         return;
-    const QString file = QFileDialog::getSaveFileName(
-        this, tr("Save layout"), m_folder + QStringLiteral("/charts.json"), tr("Layouts (*.json)"));
-    if (file.isEmpty())
-        return;
-    QSaveFile out(file);
+    FileQuestion question{tr("Save layout"),    tr("Layouts (*.json)"),  m_folder,
+                          QFileDialog::AnyFile, QFileDialog::AcceptSave, QStringLiteral("json")};
     const QByteArray text = formatLayout(current()->sheet().chartLayout());
-    if (!out.open(QIODevice::WriteOnly) || out.write(text) != text.size() || !out.commit())
-        complain(tr("%1 cannot be written: %2").arg(file, out.errorString()));
+    askForFile(*this, question, [this, text](const QString& file) {
+        QSaveFile out(file);
+        if (!out.open(QIODevice::WriteOnly) || out.write(text) != text.size() || !out.commit())
+            complain(tr("%1 cannot be written: %2").arg(file, out.errorString()));
+    });
 }
 
 void ViewerWindow::loadLayoutFile() {
     if (current() == nullptr)
         return;
-    const QString file = QFileDialog::getOpenFileName(this, tr("Load layout"), m_folder,
-                                                      tr("Layouts (*.json);;All files (*)"));
-    if (file.isEmpty())
-        return;
-    try {
-        current()->sheet().setChartLayout(loadLayout(file));
-    } catch (const InputError& error) {
-        complain(QString::fromUtf8(error.what()));
-    }
+    const FileQuestion question{tr("Load layout"), tr("Layouts (*.json);;All files (*)"), m_folder};
+    askForFile(*this, question, [this](const QString& file) {
+        try {
+            if (LogPage* page = current())
+                page->sheet().setChartLayout(loadLayout(file));
+        } catch (const InputError& error) {
+            complain(QString::fromUtf8(error.what()));
+        }
+    });
 }
 
 void ViewerWindow::complain(const QString& what) {
