@@ -199,6 +199,10 @@
         <source>Show everything</source>
         <translation>显示全部</translation>
     </message>
+    <message>
+        <source>Export this chart...</source>
+        <translation>导出此图表...</translation>
+    </message>
 </context>
 <context>
     <name>hexapose::ColumnList</name>

@@ -33,6 +33,7 @@ void ChartSheet::showMenu(LogChart& chart, QPoint position) {
     menu.addAction(tr("Add chart"), this, [this] { addChart({}); });
     menu.addAction(tr("Remove chart"), this, [this, index] { removeChart(index); })
         ->setEnabled(m_charts.size() > 1);
+    menu.addAction(tr("Export this chart..."), this, [this, spec] { emit exportRequested(spec); });
     menu.addSeparator();
     menu.addAction(tr("Cursor A here"), this, [this, place] { setCursor('a', place); });
     menu.addAction(tr("Cursor B here"), this, [this, place] { setCursor('b', place); });

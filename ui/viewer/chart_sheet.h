@@ -58,6 +58,7 @@ signals:
     void viewChanged();
     void cursorsChanged();
     void layoutChanged();
+    void exportRequested(const hexapose::ChartSpec& chart);
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;

@@ -44,6 +44,10 @@ void LogChart::showPlot(const LogPlotSource& source, const TimeSpan& view,
     m_view = view;
     m_plot = emptyLogPlot(source, view, values);
     setAccessibleName(tr("Chart %1").arg(m_plot.title));
+    QStringList curves;
+    for (const Curve& curve : source.curves)
+        curves.append(curve.spec.name());
+    setAccessibleDescription(curves.join(QStringLiteral(", ")));
     invalidate();
 }
 

@@ -22,7 +22,7 @@ ViewerMenu::ViewerMenu(ViewerWindow& window, LookMenu& look)
     m_openInLayout = m_file->addAction(QString(), &window, [&window] { window.askForLogs(true); });
     m_recent = m_file->addMenu(QString());
     m_file->addSeparator();
-    m_export = m_file->addAction(QString(), &window, &ViewerWindow::askForExport);
+    m_export = m_file->addAction(QString(), &window, [&window] { window.askForExport(); });
     m_export->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_E));
     m_file->addSeparator();
     m_close = m_file->addAction(QString(), &window, [&window] { window.closeCurrent(); });

@@ -39,7 +39,7 @@ ViewerWindow::ViewerWindow(QWidget* parent)
 
 void ViewerWindow::wire() {
     connect(m_bar, &ViewBar::openRequested, this, [this] { askForLogs(false); });
-    connect(m_bar, &ViewBar::exportRequested, this, &ViewerWindow::askForExport);
+    connect(m_bar, &ViewBar::exportRequested, this, [this] { askForExport(); });
     connect(m_tabs, &QTabBar::currentChanged, this, &ViewerWindow::showCurrent);
     connect(m_tabs, &QTabBar::tabCloseRequested, this, &ViewerWindow::closeLog);
     connect(m_summary, &LogSummary::cancelRequested, this, [this] {
@@ -90,6 +90,8 @@ void ViewerWindow::openLogs(const QStringList& files, const FirstView& first) {
             if (page == current())
                 refresh();
         });
+        connect(&page->sheet(), &ChartSheet::exportRequested, this,
+                [this](const ChartSpec& chart) { askForExport(chart); });
         const int tab = m_tabs->addTab(page->file().name());
         m_tabs->setTabToolTip(tab, page->file().path());
         m_folder = QFileInfo(file).absolutePath();
@@ -154,7 +156,7 @@ void ViewerWindow::askForLogs(bool inThisLayout) {
     askForFiles(*this, question, [this, first](const QStringList& files) { openLogs(files, first); });
 }
 
-void ViewerWindow::askForExport() {
+void ViewerWindow::askForExport(const std::optional<ChartSpec>& chart) {
     if (current() == nullptr)
         return;
     FileQuestion question{tr("Export")};
@@ -164,16 +166,17 @@ void ViewerWindow::askForExport() {
     question.mode = QFileDialog::AnyFile;
     question.accept = QFileDialog::AcceptSave;
     question.suffix = QStringLiteral("png");
-    askForFile(*this, question, [this](const QString& file) { exportTo(file); });
+    askForFile(*this, question, [this, chart](const QString& file) { exportTo(file, chart); });
 }
 
 /// In the background: rows by the gigabyte take their time.
-void ViewerWindow::exportTo(const QString& file) {
+void ViewerWindow::exportTo(const QString& file, const std::optional<ChartSpec>& chart) {
     LogPage* page = current();
     if (page == nullptr)
         return;
-    const ChartPicture picture{page->sheet().table(), page->sheet().chartLayout(), page->sheet().time(),
-                               QFile::encodeName(page->file().path()).toStdString()};
+    const ChartPicture picture{page->sheet().table(),
+                               chart ? ChartLayout{{*chart}} : page->sheet().chartLayout(),
+                               page->sheet().time(), QFile::encodeName(page->file().path()).toStdString()};
     m_bar->setExporting(true);
     m_export.start(
         [picture, to = QFile::encodeName(file).toStdString()](const Job& /*job*/) {

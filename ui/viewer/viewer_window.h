@@ -39,8 +39,9 @@ public:
 
     // What the menu asks for.
     void askForLogs(bool inThisLayout);
-    void askForExport();
-    void exportTo(const QString& file);
+    /// The whole page, or one chart of it.
+    void askForExport(const std::optional<ChartSpec>& chart = std::nullopt);
+    void exportTo(const QString& file, const std::optional<ChartSpec>& chart = std::nullopt);
     void saveLayout();
     void loadLayoutFile();
 

@@ -5,6 +5,7 @@
 #include "ui/common/language.h"
 #include "ui/viewer/viewer_window.h"
 
+#include <QFileInfo>
 #include <QLineEdit>
 #include <QListView>
 #include <QListWidget>
@@ -119,6 +120,20 @@ TEST_F(ViewerWindowTest, ColumnsGoIntoChartsByKeysAndButtons) {
     EXPECT_EQ(window.current()->sheet().chartLayout().charts[1].curves.size(), 2U);
     get<QLineEdit>("Filter columns").setText(QStringLiteral("b"));
     EXPECT_TRUE(list.item(1)->isHidden());
+}
+
+TEST_F(ViewerWindowTest, ExportsThePageOrOneChartOfIt) {
+    const TemporaryLog log("time_s,l1_mm,q\n0,1,2\n1,2,3\n2,3,4\n");
+    open(log);
+    const QString all = log.folder() + QStringLiteral("/all.svg"),
+                  one = log.folder() + QStringLiteral("/one.svg");
+    const auto isThere = [](const QString& file) { return [file] { return QFileInfo::exists(file); }; };
+    window.exportTo(all);
+    ASSERT_TRUE(waitUntil(isThere(all)));
+    ASSERT_TRUE(waitUntil([this] { return get<QPushButton>("Export").isEnabled(); }));
+    window.exportTo(one, window.current()->sheet().chartLayout().charts.at(0));
+    ASSERT_TRUE(waitUntil(isThere(one)));
+    EXPECT_LT(QFileInfo(one).size(), QFileInfo(all).size());
 }
 
 TEST_F(ViewerWindowTest, LogsLieBehindTabs) {
