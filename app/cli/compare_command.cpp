@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "app/cli/command.h"
-#include "app/cli/table_problems.h"
 #include "app/common/arguments.h"
+#include "app/common/table_problems.h"
 #include "core/analysis/compare_tables.h"
 #include "core/base/csv_table.h"
 #include "core/base/input_error.h"

@@ -3,8 +3,8 @@
 
 #include "app/cli/command.h"
 #include "app/cli/solver_choice.h"
-#include "app/cli/table_problems.h"
 #include "app/common/arguments.h"
+#include "app/common/table_problems.h"
 #include "core/analysis/solve_again.h"
 #include "core/base/csv_table.h"
 #include "core/base/input_error.h"

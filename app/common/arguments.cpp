@@ -28,6 +28,8 @@ std::string helpText(const QCommandLineParser& parser, const Usage& usage) {
     std::string text = "Usage: " + usage.call + " [options]";
     for (const QString& operand : usage.operands)
         text += " " + operand.toStdString();
+    if (!usage.furtherOperands.isEmpty())
+        text += " " + usage.furtherOperands.toStdString();
     const std::string rest = parser.helpText().toStdString();
     text += rest.substr(std::min(rest.find('\n'), rest.size()));
     if (!usage.remark.empty())
@@ -77,13 +79,17 @@ void Arguments::refuseMisfits(const Usage& usage, bool parsed) const {
     const QStringList given = m_parser.positionalArguments();
     if (given.size() < usage.operands.size())
         throw InputError(m_subject, "missing " + usage.operands[given.size()].toStdString());
-    if (given.size() > usage.operands.size())
+    if (given.size() > usage.operands.size() && usage.furtherOperands.isEmpty())
         throw InputError("'" + given[usage.operands.size()].toStdString() + "'",
                          "unexpected argument; '" + usage.call + " --help' lists what is taken");
 }
 
 std::string Arguments::operand(int index) const {
     return m_parser.positionalArguments().at(index).toStdString();
+}
+
+int Arguments::operandCount() const {
+    return static_cast<int>(m_parser.positionalArguments().size());
 }
 
 bool Arguments::has(const char* option) const {

@@ -30,6 +30,7 @@ public:
     Arguments(const Usage& usage, const QStringList& words);
 
     std::string operand(int index) const;
+    int operandCount() const;
     bool has(const char* option) const;
     std::string text(const char* option, const char* fallback) const;
     std::string requiredText(const char* option) const;

@@ -29,6 +29,7 @@ struct Usage {
     std::string about = {};  ///< above the list of the options
     std::string remark = {}; ///< below it
     std::string platformHelp = "Platform name or file (default: laboratory)."; ///< empty: no --platform
+    QString furtherOperands = {}; ///< what any number of operands may follow: "[LOG.csv ...]"; empty: none
 
     /// What a complaint about the call as a whole begins with: "inverse".
     std::string subject() const { return call.substr(call.rfind(' ') + 1); }

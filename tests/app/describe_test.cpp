@@ -29,6 +29,9 @@ std::vector<std::string> programs() {
 #ifdef HEXAPOSE_CONSOLE
     all.emplace_back(HEXAPOSE_CONSOLE);
 #endif
+#ifdef HEXAPOSE_VIEWER
+    all.emplace_back(HEXAPOSE_VIEWER);
+#endif
     return all;
 }
 
@@ -97,17 +100,18 @@ TEST(Describe, EveryCommandHasTheOptionsOfItsHelpInManPageAndCompletions) {
     }
 }
 
-#ifdef HEXAPOSE_CONSOLE
-TEST(Describe, TheConsoleHasTheOptionsOfItsHelpInManPageAndCompletions) {
-    const std::set<std::string> known = typed(said({HEXAPOSE_CONSOLE, "--help"}));
-    EXPECT_GE(known.size(), 12U);
-    EXPECT_EQ(typed(std::regex_replace(description(HEXAPOSE_CONSOLE, "man"), std::regex(R"(\\-)"), "-")),
-              known);
-    EXPECT_EQ(typed(description(HEXAPOSE_CONSOLE, "bash")), known);
-    EXPECT_EQ(typed(description(HEXAPOSE_CONSOLE, "zsh")), known);
-    EXPECT_EQ(inFish(description(HEXAPOSE_CONSOLE, "fish"), ""), known);
+TEST(Describe, AProgramWithAWindowHasTheOptionsOfItsHelpInManPageAndCompletions) {
+    for (const std::string& program : programs()) {
+        if (program == HEXAPOSE_CLI)
+            continue;
+        const std::set<std::string> known = typed(said({program, "--help"}));
+        EXPECT_GE(known.size(), 9U) << program;
+        EXPECT_EQ(typed(std::regex_replace(description(program, "man"), std::regex(R"(\\-)"), "-")), known);
+        EXPECT_EQ(typed(description(program, "bash")), known);
+        EXPECT_EQ(typed(description(program, "zsh")), known);
+        EXPECT_EQ(inFish(description(program, "fish"), ""), known);
+    }
 }
-#endif
 
 TEST(Describe, ShellsThatAreInstalledAcceptTheirCompletion) {
     const Scratch scratch;

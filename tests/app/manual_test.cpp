@@ -85,5 +85,14 @@ TEST(Manual, NamesEveryOptionOfTheConsoleAndNoOther) {
 }
 #endif
 
+#ifdef HEXAPOSE_VIEWER
+TEST(Manual, NamesEveryOptionOfTheViewerAndNoOther) {
+    std::set<std::string> known = optionsIn(Process({HEXAPOSE_VIEWER, "--help"}).wait().out);
+    known.erase("--help");
+    known.erase("--version");
+    EXPECT_EQ(optionsIn(section("hexapose-viewer")), known);
+}
+#endif
+
 } // namespace
 } // namespace hexapose::apptest
