@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/viewer/cursor_table.h"
 
-#include "core/base/number_text.h"
 #include "ui/common/card.h"
 #include "ui/common/read_out.h"
 
@@ -19,7 +18,7 @@ namespace {
 
 constexpr int kDelayMs = 40; ///< of the statistics, while cursors and view are on the move
 constexpr int kDigits = 8;
-constexpr int kDifferenceDigits = 10;
+constexpr int kDecimals = 8;
 constexpr int kMostDigits = 15;
 constexpr int kReadOutDigits = 10; ///< at least
 
@@ -27,11 +26,12 @@ QString rounded(double value, int digits = kDigits) {
     return std::isfinite(value) ? QString::number(value, 'g', digits) : ReadOut::dash();
 }
 
-/// As the file has it; what was worked out from columns ends in digits that are none.
-QString exact(double value, const CurveSpec& curve) {
-    if (!curve.minus.isEmpty())
-        return rounded(value, kDifferenceDigits);
-    return std::isfinite(value) ? QString::fromStdString(formatNumber(value)) : ReadOut::dash();
+/// A value of the log: 1e6 with steps of 1e-6 shows its steps.
+QString exact(double value) {
+    if (!std::isfinite(value))
+        return ReadOut::dash();
+    const int before = value == 0.0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
+    return rounded(value, std::clamp(before + kDecimals, kDigits, kMostDigits));
 }
 
 /// With as many digits as its scatter makes sense of.
@@ -165,8 +165,8 @@ void CursorTable::refresh() {
             return curve && time ? valueAt(*m_sheet->table(), *curve->column, *time) : std::nullopt;
         };
         const auto a = at(cursors.a), b = at(cursors.b);
-        line.numbers[0]->showText(a ? exact(*a, line.spec) : ReadOut::dash());
-        line.numbers[1]->showText(b ? exact(*b, line.spec) : ReadOut::dash());
+        line.numbers[0]->showText(a ? exact(*a) : ReadOut::dash());
+        line.numbers[1]->showText(b ? exact(*b) : ReadOut::dash());
         line.numbers[2]->showText(a && b ? rounded(*b - *a) : ReadOut::dash());
     }
     widen();
@@ -185,8 +185,8 @@ void CursorTable::showStatistics(const std::vector<Statistics>& statistics,
         numbers[3]->showText(meanText(of));
         numbers[4]->showText(rounded(of.sigma));
         numbers[5]->showText(rounded(of.rms));
-        numbers[6]->showText(exact(of.min, m_lines[i].spec));
-        numbers[7]->showText(exact(of.max, m_lines[i].spec));
+        numbers[6]->showText(exact(of.min));
+        numbers[7]->showText(exact(of.max));
         numbers[8]->showText(QString::number(of.count));
     }
     widen();

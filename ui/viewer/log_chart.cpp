@@ -27,6 +27,15 @@ constexpr double kWheelZoom = 0.8;
 constexpr double kWheelPan = 0.1; ///< of the view
 constexpr QSize kLeastSize(240, 150);
 
+/// With no more digits than pixels tell apart.
+double timeAt(const PlotScale& scale, double position) {
+    const double time = scale.xAt(std::clamp(position, scale.frame.left(), scale.frame.right()));
+    const double digit =
+        std::floor(std::log10((scale.x.high - scale.x.low) / std::max(1.0, scale.frame.width())));
+    const double power = std::pow(10.0, -digit);
+    return std::isfinite(power) ? std::round(time * power) / power : time;
+}
+
 } // namespace
 
 LogChart::LogChart(QWidget* parent) : QWidget(parent) {
@@ -224,7 +233,7 @@ void LogChart::mousePressEvent(QMouseEvent* event) {
 
 void LogChart::mouseMoveEvent(QMouseEvent* event) {
     const PlotScale scale = layOut().scale;
-    const double time = scale.xAt(std::clamp(event->position().x(), scale.frame.left(), scale.frame.right()));
+    const double time = timeAt(scale, event->position().x());
     m_pointer = scale.frame.contains(event->position()) ? std::optional(time) : std::nullopt;
     emit pointerMoved(m_pointer);
     const QPointF before = m_to;
@@ -261,7 +270,7 @@ void LogChart::mouseReleaseEvent(QMouseEvent* event) {
         endBox();
     else
         emit cursorRequested((event->modifiers() & Qt::ControlModifier) != 0 ? 'b' : 'a',
-                             layOut().scale.xAt(m_from.x()));
+                             timeAt(layOut().scale, m_from.x()));
     update();
 }
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/viewer/view_bar.h"
 
-#include "core/base/number_text.h"
 #include "ui/common/card.h"
 #include "ui/common/labelled.h"
 #include "ui/common/number_field.h"
@@ -19,6 +18,7 @@ namespace hexapose {
 namespace {
 
 constexpr int kCursorWidth = 108;
+constexpr int kTimeDigits = 12;
 constexpr double kZoom = 0.5;
 constexpr NumberBounds kAnyTime{-1e18, 1e18, false};
 
@@ -112,7 +112,7 @@ void ViewBar::showCursors() {
         if (typed == time)
             return;
         const QSignalBlocker quiet(&field);
-        field.setText(time ? QString::fromStdString(formatNumber(*time)) : QString());
+        field.setText(time ? QString::number(*time, 'g', kTimeDigits) : QString());
         setStyleProperty(field, "wrong", false);
     };
     show(*m_cursorA, cursors.a);

@@ -14,6 +14,7 @@
 #include <QLocale>
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 namespace hexapose {
@@ -30,8 +31,7 @@ struct Look {
 };
 constexpr std::array kLooks{Look{"viewer.png", "en", ThemeKind::Light, {1280, 800}},
                             Look{"viewer-dark.png", "en", ThemeKind::Dark, {1280, 800}},
-                            Look{"viewer-zh_CN.png", "zh_CN", ThemeKind::Light, {1280, 800}},
-                            Look{"viewer-small.png", "en", ThemeKind::Light, {900, 600}}};
+                            Look{"viewer-zh_CN.png", "zh_CN", ThemeKind::Light, {1280, 800}}};
 
 /// Handles events until the log has been read, and a little longer.
 bool settle(ViewerWindow& window) {
@@ -62,7 +62,8 @@ bool takePicture(QApplication& application, const Look& look, const QString& log
     ChartSheet& sheet = window.current()->sheet();
     const TimeSpan whole = sheet.time();
     sheet.showTime({whole.begin + 0.2 * whole.length(), whole.begin + 0.7 * whole.length()});
-    sheet.setCursors({whole.begin + 0.3 * whole.length(), whole.begin + 0.55 * whole.length()});
+    sheet.setCursors(
+        {std::round(whole.begin + 0.3 * whole.length()), std::round(whole.begin + 0.55 * whole.length())});
     settle(window);
     const QString file = folder.filePath(QString::fromLatin1(look.file));
     const bool isSaved = window.grab().save(file);
