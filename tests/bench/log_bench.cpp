@@ -53,28 +53,28 @@ void writeLog(const fs::path& file, long rows) {
     std::uniform_real_distribution<double> noise(-1e-3, 1e-3);
     std::string text;
     std::array<char, 64> number{};
-    const auto put = [&](double value, const char* form) {
-        text.append(number.data(),
-                    static_cast<std::size_t>(std::snprintf(number.data(), number.size(), form, value)));
+    const auto put = [&](double value, int decimals) {
+        text.append(number.data(), static_cast<std::size_t>(
+                                       std::snprintf(number.data(), number.size(), "%.*f", decimals, value)));
         text += ',';
     };
     for (long i = 0; i < rows; ++i) {
         const double time = 1e-3 * static_cast<double>(i);
-        put(time, "%.6f");
+        put(time, 6);
         std::array<char, 96> stamp{};
         const long s = i / 1000;
         std::snprintf(stamp.data(), stamp.size(), "2026-11-%02ldT%02ld:%02ld:%02ld.%03ldZ,", 1 + s / 86400,
                       s / 3600 % 24, s / 60 % 60, s % 60, i % 1000);
         text += stamp.data();
         for (int k = 0; k < 24; ++k)
-            put(300.0 + 40.0 * std::sin(0.1 * time + k) + noise(random), "%.9f");
+            put(300.0 + 40.0 * std::sin(0.1 * time + k) + noise(random), 9);
         text += "converged,3,";
-        put(1e-7 * (1.0 + noise(random)), "%.12f");
+        put(1e-7 * (1.0 + noise(random)), 12);
         text += "moving,1.2,0,";
         for (int k = 0; k < 6; ++k)
-            put(10.0 * std::sin(0.1 * time + k), "%.9f");
+            put(10.0 * std::sin(0.1 * time + k), 9);
         text += "workspace,100,";
-        put(0.98 + noise(random), "%.4f");
+        put(0.98 + noise(random), 4);
         text += i % 50000 == 7 ? "motion-begun joint\n" : "\n";
         if (text.size() > (1U << 22) || i + 1 == rows) {
             out << text;
