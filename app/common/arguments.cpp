@@ -44,15 +44,13 @@ Arguments::Arguments(const Usage& usage, const QStringList& words) : m_subject(u
     m_parser.setApplicationDescription(QString::fromStdString(usage.about));
     for (const QString& operand : usage.operands)
         m_parser.addPositionalArgument(operand, QString());
-    for (const OptionSpec& spec : usage.options)
-        m_parser.addOption(QCommandLineOption(QString::fromLatin1(spec.name), QString::fromUtf8(spec.help),
-                                              QString::fromLatin1(spec.value)));
-    if (!usage.platformHelp.empty())
-        m_parser.addOption(QCommandLineOption(QStringLiteral("platform"),
-                                              QString::fromStdString(usage.platformHelp),
-                                              QStringLiteral("NAME|FILE")));
-    m_parser.addOption(
-        QCommandLineOption({QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("Show this help.")));
+    for (const OptionSpec& spec : usage.allOptions()) {
+        QStringList names{QString::fromLatin1(spec.name)};
+        if (names.front() == QLatin1String("help"))
+            names.prepend(QStringLiteral("h"));
+        m_parser.addOption(
+            QCommandLineOption(names, QString::fromStdString(spec.help), QString::fromLatin1(spec.value)));
+    }
     const bool parsed = m_parser.parse(QStringList{QString::fromStdString(usage.call)} + words);
     if (m_parser.isSet(QStringLiteral("help")))
         throw HelpRequest{helpText(m_parser, usage)};

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/common/usage.h"
 #include "core/geometry/platform_geometry.h"
 #include "core/motion/limits.h"
 
@@ -16,28 +17,6 @@
 #include <vector>
 
 namespace hexapose {
-
-/// An option: `--name VALUE`, or a switch when `value` is empty.
-struct OptionSpec {
-    const char* name;
-    const char* value;
-    const char* help;
-};
-
-/// What a program takes, or a command of one. --help is always taken, --platform where `platformHelp` says
-/// for what.
-struct Usage {
-    std::string call;     ///< "hexapose", "hexapose-cli inverse"
-    QStringList operands; ///< names of the positional arguments, all of them required
-    std::vector<OptionSpec> options;
-    std::string about = {};  ///< above the list of the options
-    std::string remark = {}; ///< below it
-    std::string platformHelp = "Platform name or file (default: laboratory)."; ///< empty: no --platform
-    QString furtherOperands = {}; ///< what any number of operands may follow: "[LOG.csv ...]"; empty: none
-
-    /// What a complaint about the call as a whole begins with: "inverse".
-    std::string subject() const { return call.substr(call.rfind(' ') + 1); }
-};
 
 /// Thrown when --help is among the words; the text is for standard output.
 struct HelpRequest {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/common/arguments.h"
+#include "app/describe/describe.h"
 #include "app/viewer/export_job.h"
 #include "app/viewer/viewer.h"
 #include "app/viewer/viewer_options.h"
@@ -12,6 +13,7 @@
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <unistd.h>
 
 namespace {
@@ -73,6 +75,11 @@ int runViewer(const ViewerOptions& options) {
 } // namespace
 
 int main(int argc, char* argv[]) {
+    if (argc == 3 && std::strcmp(argv[1], "--describe") == 0) {
+        Usage usage = viewerUsage();
+        usage.operands = {QStringLiteral("LOG.csv...")};
+        return printDescription({"hexapose-viewer", usage, {}}, argv[2]);
+    }
     try {
         QStringList words;
         for (int i = 1; i < argc; ++i)

@@ -9,9 +9,7 @@
 
 namespace hexapose {
 
-namespace {
-
-Usage usage() {
+Usage viewerUsage() {
     Usage usage{
         "hexapose-viewer",
         {},
@@ -31,6 +29,8 @@ Usage usage() {
     usage.furtherOperands = QStringLiteral("[LOG.csv ...]");
     return usage;
 }
+
+namespace {
 
 QString languageOf(const Arguments& arguments) {
     const QString code = languageFromText(QString::fromStdString(arguments.text("language", "")));
@@ -53,7 +53,7 @@ std::vector<std::string> wordsOf(const Arguments& arguments, const char* option)
 } // namespace
 
 ViewerOptions parseViewerOptions(const QStringList& words) {
-    const Arguments arguments(usage(), words);
+    const Arguments arguments(viewerUsage(), words);
     ViewerOptions options;
     options.version = arguments.has("version");
     if (options.version)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/common/usage.h"
 #include "ui/common/theme.h"
 
 #include <QString>
@@ -25,6 +26,8 @@ struct ViewerOptions {
     std::optional<ThemeKind> theme;
     bool version = false;
 };
+
+Usage viewerUsage();
 
 /// Throws InputError "option: what is wrong" for anything that does not fit, and HelpRequest.
 ViewerOptions parseViewerOptions(const QStringList& words);

@@ -29,5 +29,9 @@ struct PoseAccuracy {
 /// so the motion's extent rho obeys sigma rho <= residual + |k| rho^2 / 2. It holds for the exact pose next
 /// to this one, and allows for the rounding of the computed lengths.
 PoseAccuracy poseAccuracy(const PlatformModel& model, const Pose& pose, double residual);
+/// For a single question: makes the model.
+inline PoseAccuracy poseAccuracy(const PlatformGeometry& geometry, const Pose& pose, double residual) {
+    return poseAccuracy(PlatformModel(geometry), pose, residual);
+}
 
 } // namespace hexapose

@@ -32,7 +32,8 @@ TEST(Help, OfACommandNamesTheCommandAndWhatItTakes) {
             EXPECT_EQ(outcome.status, 0) << command;
             EXPECT_EQ(outcome.err, "") << command;
             EXPECT_THAT(outcome.out, StartsWith("Usage: " + usage));
-            EXPECT_EQ(outcome.out.find("--platform <NAME|FILE>") != std::string::npos, command != "summary" && command != "compare")
+            EXPECT_EQ(outcome.out.find("--platform <NAME|FILE>") != std::string::npos,
+                      command != "summary" && command != "compare")
                 << command;
         }
     }

@@ -72,8 +72,8 @@ TEST(Architecture, PicturesAndPanelsReachNoDevice) {
             return;
         const std::string text = readText(top / path);
         const std::regex include(R"re(#include "([^"]+)")re");
-            for (auto at = std::sregex_iterator(text.begin(), text.end(), include);
-                 at != std::sregex_iterator(); ++at) {
+        for (auto at = std::sregex_iterator(text.begin(), text.end(), include); at != std::sregex_iterator();
+             ++at) {
             const std::string header = (*at)[1];
             if (header.starts_with("core/device/"))
                 reached.push_back(path + " includes " + header);

@@ -73,12 +73,15 @@ const std::vector<Layer>& layers() {
         {"ui/console/window", join(page, console), withQt},
 
         {"app/common", wholeCore, withQt},
-        {"app/cli", join(wholeCore, {"app/common", "ui/report", "ui/plot"}), withQt},
+        {"app/describe", {"app/common"}, withQt},
+        {"app/cli", join(wholeCore, {"app/common", "app/describe", "ui/report", "ui/plot"}), withQt},
         {"app/viewer",
-         join(values, {"core/table", "app/common", "ui/common", "ui/plot", "ui/charts", "ui/viewer"}),
+         join(values,
+              {"core/table", "app/common", "app/describe", "ui/common", "ui/plot", "ui/charts", "ui/viewer"}),
          withQt},
         {"app/console",
-         join(join(wholeCore, console), {"app/common", "ui/common", "ui/plot", "ui/charts", "ui/report"}),
+         join(join(wholeCore, console),
+              {"app/common", "app/describe", "ui/common", "ui/plot", "ui/charts", "ui/report"}),
          withQt},
     };
     return table;
