@@ -139,6 +139,10 @@ void ChartSheet::makeWidget(Entry& entry) {
             });
     connect(chart, &LogChart::cursorRequested, this,
             [this](char which, double time) { setCursor(which, time); });
+    connect(chart, &LogChart::pointerMoved, this, [this](const std::optional<double>& time) {
+        for (const Entry& other : m_charts)
+            other.widget->setPointer(time);
+    });
     connect(chart, &LogChart::columnsDropped, this, [this, chart](const QStringList& names) {
         for (const QString& name : names)
             if (const Entry* found = find(chart))

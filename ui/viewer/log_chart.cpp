@@ -132,6 +132,8 @@ void LogChart::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     painter.drawPixmap(0, 0, m_picture);
     const PlotScale scale = layOut().scale;
+    if (m_shown && m_drag != Drag::Box)
+        paintPointer(painter, scale);
     if (m_cursors.a)
         paintCursor(painter, scale, *m_cursors.a, QStringLiteral("A"));
     if (m_cursors.b)

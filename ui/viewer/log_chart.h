@@ -31,6 +31,10 @@ public:
     double neededLeft() const;
     void setLeft(double left);
     void setCursors(const Cursors& cursors);
+    /// Where the pointer is, in this chart or in another one of the page.
+    void setPointer(std::optional<double> time);
+    /// What is told beside the pointer: the time, and the value before it of each curve.
+    QStringList pointerText() const;
     void setTimeTitleShown(bool isShown);
 
     const Plot& plot() const { return m_plot; }
@@ -71,6 +75,7 @@ private:
     void invalidate();
     void drawPicture();
     void paintCursor(QPainter& painter, const PlotScale& scale, double time, const QString& name) const;
+    void paintPointer(QPainter& painter, const PlotScale& scale) const;
     void paintBox(QPainter& painter, const PlotScale& scale) const;
     void endBox();
     std::optional<Drag> cursorAt(QPointF position) const;
@@ -82,8 +87,9 @@ private:
     double m_left = 0.0;
     bool m_isTimeTitleShown = true;
     Cursors m_cursors;
-    std::optional<double> m_pointer;
-    QPixmap m_picture; ///< without cursors; null: to be drawn
+    std::optional<double> m_pointer; ///< over this chart
+    std::optional<double> m_shown;   ///< over any of the page
+    QPixmap m_picture;               ///< without cursors; null: to be drawn
     Drag m_drag = Drag::None;
     QPointF m_from, m_to; ///< of the drag
 };

@@ -86,7 +86,11 @@ void ViewerWindow::openLogs(const QStringList& files, const FirstView& first) {
         auto* page = new LogPage(QFileInfo(file).absoluteFilePath(), first, m_pages);
         page->sheet().setColors(themeColors(m_theme), m_theme);
         m_pages->addWidget(page);
-        connect(page, &LogPage::changed, this, [this, page] {
+        connect(page, &LogPage::changed, this, [this, page, isKnown = false]() mutable {
+            if (!isKnown && !page->sheet().table()->columns().empty()) {
+                isKnown = true;
+                emit logOpened(page->file().path());
+            }
             if (page == current())
                 refresh();
         });
@@ -95,7 +99,6 @@ void ViewerWindow::openLogs(const QStringList& files, const FirstView& first) {
         const int tab = m_tabs->addTab(page->file().name());
         m_tabs->setTabToolTip(tab, page->file().path());
         m_folder = QFileInfo(file).absolutePath();
-        emit logOpened(page->file().path());
         m_tabs->setCurrentIndex(tab);
     }
     showCurrent();

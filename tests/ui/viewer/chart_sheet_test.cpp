@@ -135,6 +135,24 @@ TEST_F(ChartSheetTest, KeysMoveZoomAndSetCursors) {
     EXPECT_FALSE(sheet.cursors().a);
 }
 
+TEST_F(ChartSheetTest, BesideThePointerStandTheValuesBeforeIt) {
+    const QPoint at = placeOf(10.0);
+    QMouseEvent move(QEvent::MouseMove, at, sheet.chart(0).mapToGlobal(QPointF(at)), Qt::NoButton,
+                     Qt::NoButton, Qt::NoModifier);
+    QApplication::sendEvent(&sheet.chart(0), &move);
+    const QStringList lines = sheet.chart(0).pointerText();
+    ASSERT_EQ(lines.size(), 2);
+    EXPECT_TRUE(lines[0].endsWith(QStringLiteral(" s")));
+    const double time = lines[0].section(QLatin1Char(' '), 0, 0).toDouble();
+    EXPECT_NEAR(time, 10.0, kPixelSlack);
+    EXPECT_NEAR(lines[1].section(QStringLiteral("  "), 1).toDouble(), std::sin(time), 0.02);
+    EXPECT_EQ(sheet.chart(1).pointerText().size(), 1); // the time alone: it has no curve
+    sheet.grab();
+    QEvent leave(QEvent::Leave);
+    QApplication::sendEvent(&sheet.chart(0), &leave);
+    EXPECT_TRUE(sheet.chart(0).pointerText().isEmpty());
+}
+
 TEST_F(ChartSheetTest, ZoomsToTheDistanceOfRowsAndNoFurther) {
     for (int i = 0; i < 200; ++i)
         sheet.zoom(0.5, 10.0);

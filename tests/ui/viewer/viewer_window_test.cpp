@@ -11,6 +11,7 @@
 #include <QListWidget>
 #include <QMimeData>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTest>
 
 #include <gtest/gtest.h>
@@ -147,6 +148,25 @@ TEST_F(ViewerWindowTest, LogsLieBehindTabs) {
     window.closeLog(0);
     EXPECT_EQ(text("Rows"), QStringLiteral("--"));
     EXPECT_EQ(window.current(), nullptr);
+}
+
+TEST_F(ViewerWindowTest, WhatCanBeShownIsRememberedAndNothingElse) {
+    QSignalSpy opened(&window, &ViewerWindow::logOpened);
+    const TemporaryLog good(logText(100)), empty("", "empty.csv");
+    open(empty);
+    open(good);
+    ASSERT_TRUE(waitUntil([&] { return !opened.isEmpty(); }));
+    EXPECT_EQ(opened.size(), 1);
+    EXPECT_EQ(opened.at(0).at(0).toString(), good.path());
+}
+
+TEST_F(ViewerWindowTest, ReadingIsCancelledAndWhatWasReadStays) {
+    const TemporaryLog log(logText(400000));
+    window.openLogs({log.path()});
+    get<QPushButton>("Cancel").click();
+    ASSERT_TRUE(waitUntil([this] { return window.current()->file().progress().isDone; }));
+    ASSERT_TRUE(waitUntil([this] { return !get<QPushButton>("Cancel").isVisible(); }));
+    EXPECT_EQ(text("Rows"), QString::number(window.current()->sheet().table()->rowCount()));
 }
 
 TEST_F(ViewerWindowTest, ADroppedFileIsOpened) {
