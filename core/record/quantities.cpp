@@ -105,6 +105,24 @@ Value speed(const Snapshot& s) {
 Value determinantRatio(const Snapshot& s) {
     return s.fresh ? s.determinantRatio : std::nullopt;
 }
+Value controllerTime(const Snapshot& s) {
+    return s.fresh && s.controllerTime ? Value(static_cast<double>(s.controllerTime->count())) : std::nullopt;
+}
+Value roundTrip(const Snapshot& s) {
+    return s.fresh && s.roundTrip ? Value(milliseconds(*s.roundTrip)) : std::nullopt;
+}
+Value jitter(const Snapshot& s) {
+    return s.fresh && s.jitter ? Value(milliseconds(*s.jitter)) : std::nullopt;
+}
+/// To the nanometre: below that the difference holds the rounding of its two terms alone.
+template <int kLeg>
+Value followingError(const Snapshot& s) {
+    constexpr double kSteps = 1e6; // a millimetre
+    if (!s.fresh || !s.measuredLengths || !s.commandedLengths)
+        return std::nullopt;
+    const double error = mmFromMetres((*s.commandedLengths)[kLeg] - (*s.measuredLengths)[kLeg]);
+    return std::round(error * kSteps) / kSteps + 0.0; // no -0
+}
 void events(const Snapshot& s, std::string& line) {
     if (!s.events.empty())
         line += csvField(formatEvents(s.events));
@@ -169,6 +187,15 @@ const std::vector<Quantity>& quantities() {
         {"mode", "", Group::Motion, 0, nullptr, mode},
         {"speed_percent", "%", Group::Motion, kShortest, speed},
         {"q", "", Group::Solution, 4, determinantRatio},
+        {"controller_time_us", "us", Group::Link, 0, controllerTime},
+        {"round_trip_ms", "ms", Group::Link, 3, roundTrip},
+        {"jitter_ms", "ms", Group::Link, 3, jitter},
+        {"l1_error_mm", "mm", Group::FollowingError, kShortest, followingError<0>},
+        {"l2_error_mm", "mm", Group::FollowingError, kShortest, followingError<1>},
+        {"l3_error_mm", "mm", Group::FollowingError, kShortest, followingError<2>},
+        {"l4_error_mm", "mm", Group::FollowingError, kShortest, followingError<3>},
+        {"l5_error_mm", "mm", Group::FollowingError, kShortest, followingError<4>},
+        {"l6_error_mm", "mm", Group::FollowingError, kShortest, followingError<5>},
         {"event", "", Group::Event, 0, nullptr, events},
     };
     return table;
