@@ -27,25 +27,6 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// How long something that another thread or process does may take before the test gives it up.
-constexpr std::chrono::seconds kPatience{20};
-
-template <typename Condition>
-bool comesTrue(Condition condition) {
-    const auto until = std::chrono::steady_clock::now() + kPatience;
-    while (!condition()) {
-        if (std::chrono::steady_clock::now() > until)
-            return false;
-        std::this_thread::yield();
-    }
-    return true;
-}
-
-std::size_t lineCount(const std::filesystem::path& file) {
-    const std::string text = readAll(file);
-    return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
-}
-
 /// Runs in a process of its own, where limits and signals hurt nobody else.
 template <typename Work>
 pid_t inChild(Work work) {

@@ -11,11 +11,14 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <thread>
 
 namespace hexapose {
 
@@ -53,6 +56,25 @@ inline std::string readAll(const std::filesystem::path& file) {
     std::ostringstream text;
     text << in.rdbuf();
     return text.str();
+}
+
+inline std::size_t lineCount(const std::filesystem::path& file) {
+    const std::string text = readAll(file);
+    return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+/// How long something that another thread or process does may take before the test gives it up.
+inline constexpr std::chrono::seconds kPatience{20};
+
+template <typename Condition>
+bool comesTrue(Condition condition) {
+    const auto until = std::chrono::steady_clock::now() + kPatience;
+    while (!condition()) {
+        if (std::chrono::steady_clock::now() > until)
+            return false;
+        std::this_thread::yield();
+    }
+    return true;
 }
 
 inline LogMetadata sampleMetadata() {
