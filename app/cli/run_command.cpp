@@ -157,6 +157,8 @@ int runCommand(const QStringList& words) {
               {"envelope-deg", "E",
                "Refuse moves further than E degrees in alpha, beta or gamma (default: no limit)."},
               {"log", "LOG.csv", "The log to write; never one that exists."},
+              {"log-part-mb", "N", "Begin another file, LOG-2.csv, after N MB of the log (default: 1000)."},
+              {"log-gzip", "", "Compress each of these files but the last: LOG.csv.gz."},
               {"report", "DIR", "Write the error report into this directory."},
               {"clear", "", "Clear a stop or fault of the controller first."}})},
         words);
@@ -197,6 +199,7 @@ int runCommand(const QStringList& words) {
     setup.modelFingerprint = chosen.modelFingerprint;
     setup.programVersion = HEXAPOSE_VERSION;
     setup.control = control;
+    setup.log = arguments.logOptions();
     catchInterrupts(); // before the loop's thread can enable anything
     Session session(setup, [&platform](const ConnectionSpec& where) { return makeDevice(where, platform); });
     session.open(connection, logFile);
