@@ -26,6 +26,11 @@ std::string reasonOf(const InputError& error) {
                                                        : error.what();
 }
 
+std::size_t headerSize() {
+    static const std::size_t size = logHeader().size();
+    return size;
+}
+
 bool isTaken(const fs::path& csvFile) {
     std::error_code ignored;
     fs::path compressed = csvFile;
@@ -61,9 +66,10 @@ void LogParts::setSolver(const SolverChoice& solver) {
 }
 
 void LogParts::add(std::string_view row) {
-    static const std::size_t headerSize = logHeader().size();
     const std::uint64_t size = m_bytes + m_text.size() - m_textDone;
-    if (size + row.size() > m_partBytes && size > headerSize && mayTryPart() && write())
+    const bool isFull = size + row.size() > m_partBytes && size > headerSize();
+    // A part that was taken away is no complete one: checkPlace() comes first.
+    if (isFull && !m_isCopying && mayTryPart() && write() && m_out->place() == AppendFile::Place::Kept)
         startNext();
     m_text += row;
 }
@@ -178,12 +184,16 @@ void LogParts::checkPlace(const std::function<void()>& meanwhile) {
     if (!mayTryPart() || !tryPart(next))
         return;
     if (place == AppendFile::Place::Moved) {
-        m_text.insert(0, logHeader());
+        if (m_bytes >= headerSize()) // else it is still here
+            m_text.insert(0, logHeader());
         m_textDone = 0;
         return goOnIn(std::move(next), Cause::Moved, 0);
     }
     std::uint64_t copied = 0;
-    if (copyAll(*next.out, copied, meanwhile))
+    m_isCopying = true;
+    const bool whole = copyAll(*next.out, copied, meanwhile);
+    m_isCopying = false;
+    if (whole)
         return goOnIn(std::move(next), Cause::Deleted, copied);
     std::error_code ignored;
     fs::remove(next.file, ignored);

@@ -71,6 +71,7 @@ private:
     std::uint64_t m_bytes = 0;        ///< of this part, with the system
     std::uint64_t m_bytesOfParts = 0; ///< of those before it
     std::string m_text;               ///< whole rows that are not, or not wholly, with the system
+    bool m_isCopying = false;         ///< then no other part is begun
     std::size_t m_textDone = 0;       ///< what of it is
     std::string m_failure, m_partFailure;
     std::optional<std::chrono::steady_clock::time_point>

@@ -63,6 +63,7 @@ struct LogWriter::Impl {
     mutable std::mutex mutex;
     std::condition_variable_any wake;
     std::vector<SnapshotPtr> queue;
+    bool isUrgent = false; ///< rows are so few that the last one should not wait for another
     std::uint64_t taken = 0;
     std::uint64_t lost = 0;
     std::uint64_t lostUnreported = 0; ///< since the last row that counts it
@@ -126,7 +127,8 @@ void LogWriter::Impl::run(const std::stop_token& stop) {
             // While writing fails a full queue is no reason to write early.
             const bool writeEarly = !parts.hasUnwritten();
             wake.wait_for(lock, stop, kFlushInterval,
-                          [&] { return writeEarly && queue.size() >= kQueueRows / 2; });
+                          [&] { return writeEarly && (isUrgent || queue.size() >= kQueueRows / 2); });
+            isUrgent = false;
             last = stop.stop_requested();
         }
         writeFaults();
@@ -268,13 +270,14 @@ void LogWriter::append(const SnapshotPtr& snapshot) {
     const std::span<const SnapshotPtr> rows = m_impl->choice.add(snapshot);
     if (rows.empty())
         return;
-    bool halfFull = false;
+    bool wakes = m_impl->choice.isAtRest();
     {
         const std::lock_guard lock(m_impl->mutex);
+        m_impl->isUrgent = m_impl->isUrgent || wakes;
         for (const SnapshotPtr& row : rows)
-            halfFull = m_impl->enqueue(row) || halfFull;
+            wakes = m_impl->enqueue(row) || wakes;
     }
-    if (halfFull)
+    if (wakes)
         m_impl->wake.notify_one();
 }
 

@@ -41,11 +41,11 @@ bool RowChoice::happens(const Snapshot& s) {
     return happens;
 }
 
-bool RowChoice::isDue(const Snapshot& s, bool isActive) const {
+bool RowChoice::isDue(const Snapshot& s) const {
     const auto since = s.time - m_lastRow;
     if (m_state != s.state || !s.events.empty())
         return true;
-    if (isActive)
+    if (!m_isAtRest)
         return s.fresh || since >= kRowInterval;
     // A row with a measurement says more; where they are rare the interval does not wait for them.
     return since >= kRowInterval && (s.fresh || s.stale || since >= 2 * kRowInterval);
@@ -59,7 +59,8 @@ std::span<const RowChoice::SnapshotPtr> RowChoice::add(const SnapshotPtr& snapsh
         m_happened = s.time;
         std::swap(m_due, m_keptBack);
     }
-    if (isDue(s, s.time - m_happened < kActiveFor)) {
+    m_isAtRest = s.time - m_happened >= kActiveFor;
+    if (isDue(s)) {
         m_due.push_back(snapshot);
         m_keptBack.clear();
     } else if (s.fresh && m_keptBack.size() < kMostKept) {

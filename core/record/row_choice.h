@@ -22,6 +22,8 @@ public:
     RowChoice();
     /// The rows that are due with this cycle, the oldest first; they stand until the next call.
     std::span<const SnapshotPtr> add(const SnapshotPtr& snapshot);
+    /// Whether nothing happened for so long that rows are few.
+    bool isAtRest() const { return m_isAtRest; }
 
 private:
     /// What a cycle has apart from its measurement.
@@ -38,7 +40,7 @@ private:
     };
     static Setting settingOf(const Snapshot& snapshot);
     bool happens(const Snapshot& snapshot);
-    bool isDue(const Snapshot& snapshot, bool isActive) const;
+    bool isDue(const Snapshot& snapshot) const;
 
     std::optional<Setting> m_setting;    ///< of the last cycle
     std::optional<RunState> m_state;     ///< of the last row
@@ -46,6 +48,7 @@ private:
     std::optional<LegLengths> m_lengths; ///< when something happened last
     std::chrono::nanoseconds m_happened{0};
     std::chrono::nanoseconds m_lastRow{0};
+    bool m_isAtRest = false;
     std::vector<SnapshotPtr> m_keptBack; ///< memory is taken once
     std::vector<SnapshotPtr> m_due;
 };

@@ -159,6 +159,20 @@ TEST_F(LogPartsTest, ADeletedFileIsWrittenAgainWhole) {
     expectAllRows({"run-2.csv"});
 }
 
+TEST_F(LogPartsTest, OfSeveralPartsOnlyTheDeletedOneIsWrittenAgain) {
+    {
+        LogWriter writer(file, metadata, partsOf(20000));
+        append(writer, 60);
+        ASSERT_TRUE(comesTrue(
+            [&] { return writer.file() == scratch / "run-2.csv" && lineCount(writer.file()) > 5; }));
+        fs::remove(scratch / "run-2.csv");
+        eventsUntil(writer, EventCode::LogContinued);
+        ASSERT_TRUE(comesTrue([&] { return writer.file() == scratch / "run-3.csv"; }));
+        append(writer, 70);
+    }
+    expectAllRows({"run.csv", "run-3.csv", "run-4.csv"});
+}
+
 TEST_F(LogPartsTest, ADirectoryThatWasDeletedIsMadeAgain) {
     const fs::path deep = scratch / "logs";
     fs::create_directory(deep);

@@ -78,7 +78,12 @@ bool comesTrue(Condition condition) {
 }
 
 inline LogMetadata sampleMetadata() {
-    return {loadPlatform(kLaboratoryFile), "0123456789abcdef", "mpr3-nr", "1.2.3", "/dev/tty \"odd\"\\name"};
+    return {.platform = loadPlatform(kLaboratoryFile),
+            .modelFingerprint = "0123456789abcdef",
+            .solver = "mpr3-nr",
+            .programVersion = "1.2.3",
+            .port = "/dev/tty \"odd\"\\name",
+            .firstPart = {}};
 }
 
 /// A cycle with every column filled.
