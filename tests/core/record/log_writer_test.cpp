@@ -175,6 +175,13 @@ void fillTheDisk(const std::filesystem::path& file, const LogMetadata& metadata)
             writer.append(fullSnapshot(i++));
             return writer.failure().has_value() && !writer.failure()->system.empty();
         });
+        std::vector<Event> events;
+        if (!comesTrue([&] {
+                writer.takeEvents(events);
+                return !events.empty();
+            }) ||
+            events[0].code != EventCode::LogFailed || events[0].get<LogFailure>()->system.empty())
+            _exit(5);
         for (int more = 0; more < 10000; ++more)
             writer.append(fullSnapshot(i++));
         lost = writer.lostCount();
@@ -202,8 +209,8 @@ TEST_F(LogWriterTest, AFullDiskIsToldAndGotOver) {
     int status = -1;
     waitpid(child, &status, 0);
     ASSERT_TRUE(WIFEXITED(status));
-    EXPECT_EQ(WEXITSTATUS(status), 0)
-        << "1: failure or loss not counted, 2: rows missing, 3: torn rows, 4: the gap is not in the log";
+    EXPECT_EQ(WEXITSTATUS(status), 0) << "1: failure or loss not counted, 2: rows missing, 3: torn rows, 4: "
+                                         "the gap is not in the log, 5: nobody is told";
 }
 
 std::string refusal(const std::filesystem::path& file, const LogMetadata& metadata) {
