@@ -2,6 +2,60 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
+    <name>ChartWords</name>
+    <message>
+        <source>Position</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Angles</source>
+        <translation>角度</translation>
+    </message>
+    <message>
+        <source>Legs</source>
+        <translation>支腿</translation>
+    </message>
+    <message>
+        <source>Position error</source>
+        <translation>位置误差</translation>
+    </message>
+    <message>
+        <source>Angle error</source>
+        <translation>角度误差</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>残差</translation>
+    </message>
+    <message>
+        <source>Columns of the file</source>
+        <translation>文件的列</translation>
+    </message>
+    <message>
+        <source>Empty</source>
+        <translation>空</translation>
+    </message>
+</context>
+<context>
+    <name>LogPlotWords</name>
+    <message>
+        <source>Row</source>
+        <translation>行</translation>
+    </message>
+    <message>
+        <source>Time, s</source>
+        <translation>时间，s</translation>
+    </message>
+    <message>
+        <source>Time, s after %1</source>
+        <translation>%1 之后的时间，s</translation>
+    </message>
+    <message>
+        <source>This log has none of these columns</source>
+        <translation>此日志没有这些列</translation>
+    </message>
+</context>
+<context>
     <name>hexapose::Banner</name>
     <message>
         <source>Training the model of this platform; it is kept for the next time</source>
@@ -113,6 +167,84 @@
     <message>
         <source>set-point</source>
         <translation>设定值</translation>
+    </message>
+</context>
+<context>
+    <name>hexapose::ChartSheet</name>
+    <message>
+        <source>Add curve</source>
+        <translation>添加曲线</translation>
+    </message>
+    <message>
+        <source>Remove curve</source>
+        <translation>移除曲线</translation>
+    </message>
+    <message>
+        <source>Add chart</source>
+        <translation>添加图表</translation>
+    </message>
+    <message>
+        <source>Remove chart</source>
+        <translation>移除图表</translation>
+    </message>
+    <message>
+        <source>Cursor A here</source>
+        <translation>光标 A 放在这里</translation>
+    </message>
+    <message>
+        <source>Cursor B here</source>
+        <translation>光标 B 放在这里</translation>
+    </message>
+    <message>
+        <source>Show everything</source>
+        <translation>显示全部</translation>
+    </message>
+    <message>
+        <source>Export this chart...</source>
+        <translation>导出此图表...</translation>
+    </message>
+</context>
+<context>
+    <name>hexapose::ColumnList</name>
+    <message>
+        <source>Columns</source>
+        <translation>列</translation>
+    </message>
+    <message>
+        <source>Column list</source>
+        <translation>列清单</translation>
+    </message>
+    <message>
+        <source>Filter columns</source>
+        <translation>筛选列</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>筛选</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>添加</translation>
+    </message>
+    <message>
+        <source>Add to chart</source>
+        <translation>添加到图表</translation>
+    </message>
+    <message>
+        <source>Add the chosen columns to the present chart</source>
+        <translation>将所选列添加到当前图表</translation>
+    </message>
+    <message>
+        <source>New chart</source>
+        <translation>新图表</translation>
+    </message>
+    <message>
+        <source>Show the chosen columns in a chart of their own</source>
+        <translation>在单独的图表中显示所选列</translation>
+    </message>
+    <message>
+        <source>Not numbers: states and events are marked in every chart</source>
+        <translation>不是数字：状态和事件标记在每个图表中</translation>
     </message>
 </context>
 <context>
@@ -235,6 +367,53 @@ FSI：以小步沿支腿路径跟踪
     <message>
         <source>The solver stays as it was.</source>
         <translation>求解器保持不变。</translation>
+    </message>
+</context>
+<context>
+    <name>hexapose::CursorTable</name>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>差</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>平均</translation>
+    </message>
+    <message>
+        <source>Sigma</source>
+        <translation>标准差</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>均方根</translation>
+    </message>
+    <message>
+        <source>Minimum</source>
+        <translation>最小</translation>
+    </message>
+    <message>
+        <source>Maximum</source>
+        <translation>最大</translation>
+    </message>
+    <message>
+        <source>Count</source>
+        <translation>个数</translation>
+    </message>
+    <message>
+        <source>Cursor table</source>
+        <translation>光标表</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>曲线</translation>
     </message>
 </context>
 <context>
@@ -503,10 +682,6 @@ FSI：以小步沿支腿路径跟踪
         <translation>运动开始：全速时 %1 s</translation>
     </message>
     <message>
-        <source>There is nothing to resume.</source>
-        <translation>没有可继续的运动。</translation>
-    </message>
-    <message>
         <source>out of memory</source>
         <translation>内存不足</translation>
     </message>
@@ -647,6 +822,81 @@ FSI：以小步沿支腿路径跟踪
     </message>
 </context>
 <context>
+    <name>hexapose::InputFaultText</name>
+    <message>
+        <source>exists already</source>
+        <translation>已存在</translation>
+    </message>
+    <message>
+        <source>cannot be created: %1</source>
+        <translation>无法创建：%1</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1</source>
+        <translation>无法写入：%1</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>无法读取：%1</translation>
+    </message>
+    <message>
+        <source>cannot be read further</source>
+        <translation>无法继续读取</translation>
+    </message>
+    <message>
+        <source>is a directory</source>
+        <translation>是一个目录</translation>
+    </message>
+    <message>
+        <source>is empty, a header row was expected</source>
+        <translation>为空，应有表头行</translation>
+    </message>
+    <message>
+        <source>a quote is opened and never closed</source>
+        <translation>引号未闭合</translation>
+    </message>
+    <message>
+        <source>is not UTF-8 text</source>
+        <translation>不是 UTF-8 文本</translation>
+    </message>
+    <message>
+        <source>column %1 is missing</source>
+        <translation>缺少列 %1</translation>
+    </message>
+    <message>
+        <source>column %1 is missing; separate the fields by commas</source>
+        <translation>缺少列 %1；请用逗号分隔各字段</translation>
+    </message>
+    <message>
+        <source>column %1 appears twice</source>
+        <translation>列 %1 出现了两次</translation>
+    </message>
+    <message>
+        <source>the last line is incomplete</source>
+        <translation>最后一行不完整</translation>
+    </message>
+    <message>
+        <source>%1 fields, but the header has %2</source>
+        <translation>有 %1 个字段，但表头有 %2 个</translation>
+    </message>
+    <message>
+        <source>%1 &quot;%2&quot; is not a finite number</source>
+        <translation>%1 的值“%2”不是有限数值</translation>
+    </message>
+    <message>
+        <source>the list holds no poses</source>
+        <translation>列表中没有位姿</translation>
+    </message>
+    <message>
+        <source>%1, line %2: %3</source>
+        <translation>%1，第 %2 行：%3</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+</context>
+<context>
     <name>hexapose::JogPanel</name>
     <message>
         <source>Moves while a button is held. Keys, with the focus here: arrows for x and y, page up and down for z; hold Shift to rotate about the axis</source>
@@ -782,6 +1032,174 @@ FSI：以小步沿支腿路径跟踪
     <message>
         <source>Leg %1 within its stroke</source>
         <translation>支腿 %1 行程内位置</translation>
+    </message>
+</context>
+<context>
+    <name>hexapose::LogChart</name>
+    <message>
+        <source>Chart %1</source>
+        <translation>图表 %1</translation>
+    </message>
+</context>
+<context>
+    <name>hexapose::LogSummary</name>
+    <message>
+        <source>%1 rows</source>
+        <translation>%1 行</translation>
+    </message>
+    <message>
+        <source>No log</source>
+        <translation>没有日志</translation>
+    </message>
+    <message>
+        <source>Open a log, or drop one here.</source>
+        <translation>打开日志，或将文件拖放到这里。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 MB, %3 rows</source>
+        <translation>%1 / %2 MB，%3 行</translation>
+    </message>
+    <message>
+        <source>Cancelled: only the first part was read</source>
+        <translation>已取消：只读取了前面一部分</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>行数</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>列</translation>
+    </message>
+    <message>
+        <source>Time span</source>
+        <translation>时间范围</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>进度</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>读取</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Stop reading and keep what there is</source>
+        <translation>停止读取，保留已读部分</translation>
+    </message>
+</context>
+<context>
+    <name>hexapose::LookMenu</name>
+    <message>
+        <source>&amp;Language</source>
+        <translation>语言(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>主题(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>浅色(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>深色(&amp;D)</translation>
+    </message>
+</context>
+<context>
+    <name>hexapose::MotionCheckText</name>
+    <message>
+        <source>Leg %1 would be %2 mm, above its maximum %3 mm (by %4 mm)</source>
+        <translation>支腿 %1 将为 %2 mm，超过上限 %3 mm（超出 %4 mm）</translation>
+    </message>
+    <message>
+        <source>Leg %1 would be %2 mm, below its minimum %3 mm (by %4 mm)</source>
+        <translation>支腿 %1 将为 %2 mm，低于下限 %3 mm（差 %4 mm）</translation>
+    </message>
+    <message>
+        <source>Reachable</source>
+        <translation>可到达</translation>
+    </message>
+    <message>
+        <source>A coordinate is not a number</source>
+        <translation>有坐标不是数字</translation>
+    </message>
+    <message>
+        <source>Too close to a singular pose: margin %1, at least %2 is needed</source>
+        <translation>过于接近奇异位姿：裕度 %1，至少需要 %2</translation>
+    </message>
+    <message>
+        <source>The legs would reach another pose than the target</source>
+        <translation>支腿会导向与目标不同的位姿</translation>
+    </message>
+    <message>
+        <source>Leg %1 would be above its maximum</source>
+        <translation>支腿 %1 将超过上限</translation>
+    </message>
+    <message>
+        <source>Leg %1 would be below its minimum</source>
+        <translation>支腿 %1 将低于下限</translation>
+    </message>
+    <message>
+        <source>Too close to a singular pose</source>
+        <translation>过于接近奇异位姿</translation>
+    </message>
+    <message>
+        <source>%1 would be %2, outside its allowed ±%3</source>
+        <translation>%1 将为 %2，超出允许的 ±%3</translation>
+    </message>
+    <message>
+        <source>Leg %1 would move at %2 mm/s, above its limit of %3 mm/s</source>
+        <translation>支腿 %1 速度将为 %2 mm/s，超过其限值 %3 mm/s</translation>
+    </message>
+    <message>
+        <source>Leg %1 would accelerate by %2 mm/s², above its limit of %3 mm/s²</source>
+        <translation>支腿 %1 加速度将为 %2 mm/s²，超过其限值 %3 mm/s²</translation>
+    </message>
+    <message>
+        <source>The path comes too close to a singular pose</source>
+        <translation>路径过于接近奇异位姿</translation>
+    </message>
+    <message>
+        <source>Beyond the singular poses: q would be %1, at least %2 is needed</source>
+        <translation>越过奇异位姿：q 将为 %1，至少需要 %2</translation>
+    </message>
+    <message>
+        <source>Leg %1 would exceed its speed limit</source>
+        <translation>支腿 %1 将超过其速度极限</translation>
+    </message>
+    <message>
+        <source>%1 would be outside its allowed range</source>
+        <translation>%1 将超出允许范围</translation>
+    </message>
+    <message>
+        <source>Beyond the singular poses</source>
+        <translation>越过奇异位姿</translation>
+    </message>
+    <message>
+        <source>%1, at %2 % of the path</source>
+        <translation>%1（位于路径 %2 % 处）</translation>
+    </message>
+    <message>
+        <source>Leg %1 would exceed its acceleration limit</source>
+        <translation>支腿 %1 将超过其加速度极限</translation>
+    </message>
+    <message>
+        <source>The path runs along a singular pose, or is too long to be checked in time</source>
+        <translation>路径贴近奇异位姿，或过长而无法及时检查</translation>
+    </message>
+    <message>
+        <source>The platform has moved since the motion was planned</source>
+        <translation>规划之后平台已移动</translation>
+    </message>
+    <message>
+        <source>The limits have changed since the motion was planned</source>
+        <translation>规划之后限值已改变</translation>
     </message>
 </context>
 <context>
@@ -969,6 +1387,169 @@ FSI：以小步沿支腿路径跟踪
     </message>
 </context>
 <context>
+    <name>hexapose::PayloadText</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>the sweep names no axis</source>
+        <translation>扫频未指定坐标轴</translation>
+    </message>
+    <message>
+        <source>the amplitude of the sweep is not above zero</source>
+        <translation>扫频幅值必须大于零</translation>
+    </message>
+    <message>
+        <source>a frequency of the sweep is below zero</source>
+        <translation>扫频频率不得小于零</translation>
+    </message>
+    <message>
+        <source>the duration of the sweep is not above zero</source>
+        <translation>扫频时长必须大于零</translation>
+    </message>
+    <message>
+        <source>no controller is connected</source>
+        <translation>未连接控制器</translation>
+    </message>
+    <message>
+        <source>the controller has not confirmed the stop yet</source>
+        <translation>控制器尚未确认停止</translation>
+    </message>
+    <message>
+        <source>a length is not a positive number</source>
+        <translation>有长度不是正数</translation>
+    </message>
+    <message>
+        <source>it speaks protocol version %1, not 1</source>
+        <translation>其协议版本为 %1，而不是 1</translation>
+    </message>
+    <message>
+        <source>it has %1 legs, not 6</source>
+        <translation>它有 %1 条支腿，而不是 6 条</translation>
+    </message>
+    <message>
+        <source>a field of its identity cannot be read, or is out of range</source>
+        <translation>其标识中有字段无法读取或超出范围</translation>
+    </message>
+    <message>
+        <source>there is no such port</source>
+        <translation>没有该端口</translation>
+    </message>
+    <message>
+        <source>this is not a serial port</source>
+        <translation>这不是串口</translation>
+    </message>
+    <message>
+        <source>no permission; add yourself to the group of serial ports (%1), then log in again</source>
+        <translation>没有权限；请将自己加入串口用户组（%1），然后重新登录</translation>
+    </message>
+    <message>
+        <source>another program has the port open</source>
+        <translation>端口已被其他程序打开</translation>
+    </message>
+    <message>
+        <source>the port cannot be opened (%1)</source>
+        <translation>无法打开端口（%1）</translation>
+    </message>
+    <message>
+        <source>the port is gone</source>
+        <translation>端口已消失</translation>
+    </message>
+    <message>
+        <source>the port accepts no more bytes</source>
+        <translation>端口不再接收数据</translation>
+    </message>
+    <message>
+        <source>the port is closed</source>
+        <translation>端口已关闭</translation>
+    </message>
+    <message>
+        <source>the last measurement is too old</source>
+        <translation>最近的测量值太旧</translation>
+    </message>
+    <message>
+        <source>disabling was commanded</source>
+        <translation>已下达去使能指令</translation>
+    </message>
+    <message>
+        <source>leg %1 is %2 mm from its set-point, more than %3 mm</source>
+        <translation>支腿 %1 与设定值相差 %2 mm，超过 %3 mm</translation>
+    </message>
+    <message>
+        <source>leg %1 is %2 mm off the path, more than %3 mm</source>
+        <translation>支腿 %1 偏离路径 %2 mm，超过 %3 mm</translation>
+    </message>
+    <message>
+        <source>leg %1 is %2 mm off the path, and the motion makes no progress</source>
+        <translation>支腿 %1 偏离路径 %2 mm，且运动没有进展</translation>
+    </message>
+    <message>
+        <source>%1 did not finish in time</source>
+        <translation>%1未及时完成</translation>
+    </message>
+    <message>
+        <source>%1: not answered</source>
+        <translation>%1：未应答</translation>
+    </message>
+    <message>
+        <source>%1 to %2 mm</source>
+        <translation>%1 至 %2 mm</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1，%2</translation>
+    </message>
+    <message>
+        <source>%1 rows were lost</source>
+        <translation>丢失了 %1 行</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>回参考点</translation>
+    </message>
+    <message>
+        <source>Enable</source>
+        <translation>使能</translation>
+    </message>
+    <message>
+        <source>Disable</source>
+        <translation>去使能</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>停止</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>故障复位</translation>
+    </message>
+    <message>
+        <source>Set-point</source>
+        <translation>设定值</translation>
+    </message>
+    <message>
+        <source>Feedback period</source>
+        <translation>反馈周期</translation>
+    </message>
+    <message>
+        <source>Identification</source>
+        <translation>识别</translation>
+    </message>
+    <message>
+        <source>Unknown state</source>
+        <translation>未知状态</translation>
+    </message>
+    <message>
+        <source>%1 GB, enough for %2 min</source>
+        <translation>%1 GB，可记录 %2 分钟</translation>
+    </message>
+    <message>
+        <source>%1 GB</source>
+        <translation>%1 GB</translation>
+    </message>
+</context>
+<context>
     <name>hexapose::PosePanel</name>
     <message>
         <source>Pose</source>
@@ -1021,6 +1602,81 @@ FSI：以小步沿支腿路径跟踪
     <message>
         <source>Distance from a singular pose: 1 at home, 0 where the platform cannot be held. Amber below 0.2, red below 0.05.</source>
         <translation>与奇异位姿的距离：零位为 1，平台无法保持处为 0。低于 0.2 为琥珀色，低于 0.05 为红色。</translation>
+    </message>
+</context>
+<context>
+    <name>hexapose::ProblemPanel</name>
+    <message>
+        <source>Problems: none</source>
+        <translation>问题：无</translation>
+    </message>
+    <message>
+        <source>Problems: %1</source>
+        <translation>问题：%1</translation>
+    </message>
+    <message>
+        <source>%1 rows left out, %2 cells missing</source>
+        <translation>略去 %1 行，缺失 %2 个单元格</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>问题</translation>
+    </message>
+    <message>
+        <source>Text of the line</source>
+        <translation>该行文本</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a number; the cell is missing</source>
+        <translation>“%1”不是数字；该单元格缺失</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a time; the row has none</source>
+        <translation>“%1”不是时间；该行没有时间</translation>
+    </message>
+    <message>
+        <source>%1 fields in place of %2; the row is left out</source>
+        <translation>应有 %2 个字段，只有 %1 个；该行略去</translation>
+    </message>
+    <message>
+        <source>%1 fields in place of %2, too many; the row is left out</source>
+        <translation>应有 %2 个字段，却有 %1 个；该行略去</translation>
+    </message>
+    <message>
+        <source>half-written last line, left out</source>
+        <translation>最后一行未写完，略去</translation>
+    </message>
+    <message>
+        <source>a quote is not closed; the line is left out</source>
+        <translation>引号没有闭合；该行略去</translation>
+    </message>
+    <message>
+        <source>time goes back; the row is kept</source>
+        <translation>时间倒退；该行保留</translation>
+    </message>
+    <message>
+        <source>the same time again; the row is kept</source>
+        <translation>时间重复；该行保留</translation>
+    </message>
+    <message>
+        <source>this name appears twice; the column is called &quot;%1&quot;</source>
+        <translation>此名称出现两次；该列改称“%1”</translation>
+    </message>
+    <message>
+        <source>a column without a name is called &quot;%1&quot;</source>
+        <translation>没有名称的列称为“%1”</translation>
+    </message>
+    <message>
+        <source>the line is too long and is left out</source>
+        <translation>该行过长，略去</translation>
+    </message>
+    <message>
+        <source>the file became shorter while it was read</source>
+        <translation>读取时文件变短了</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>第 %1 行</translation>
     </message>
 </context>
 <context>
@@ -1626,94 +2282,224 @@ FSI：以小步沿支腿路径跟踪
     </message>
 </context>
 <context>
-    <name>hexapose::MotionCheckText</name>
+    <name>hexapose::ViewBar</name>
     <message>
-        <source>Leg %1 would be %2 mm, above its maximum %3 mm (by %4 mm)</source>
-        <translation>支腿 %1 将为 %2 mm，超过上限 %3 mm（超出 %4 mm）</translation>
+        <source>Open log</source>
+        <translation>打开日志</translation>
     </message>
     <message>
-        <source>Leg %1 would be %2 mm, below its minimum %3 mm (by %4 mm)</source>
-        <translation>支腿 %1 将为 %2 mm，低于下限 %3 mm（差 %4 mm）</translation>
+        <source>Open one or several logs or CSV files</source>
+        <translation>打开一个或多个日志或 CSV 文件</translation>
     </message>
     <message>
-        <source>Reachable</source>
-        <translation>可到达</translation>
+        <source>Back</source>
+        <translation>后退</translation>
     </message>
     <message>
-        <source>A coordinate is not a number</source>
-        <translation>有坐标不是数字</translation>
+        <source>The view before (Backspace)</source>
+        <translation>上一个视图（Backspace）</translation>
     </message>
     <message>
-        <source>Too close to a singular pose: margin %1, at least %2 is needed</source>
-        <translation>过于接近奇异位姿：裕度 %1，至少需要 %2</translation>
+        <source>Forward</source>
+        <translation>前进</translation>
     </message>
     <message>
-        <source>The legs would reach another pose than the target</source>
-        <translation>支腿会导向与目标不同的位姿</translation>
+        <source>The view after (Alt+Right)</source>
+        <translation>下一个视图（Alt+右）</translation>
     </message>
     <message>
-        <source>Leg %1 would be above its maximum</source>
-        <translation>支腿 %1 将超过上限</translation>
+        <source>Zoom out</source>
+        <translation>缩小</translation>
     </message>
     <message>
-        <source>Leg %1 would be below its minimum</source>
-        <translation>支腿 %1 将低于下限</translation>
+        <source>Show twice the time (-)</source>
+        <translation>显示两倍的时间（-）</translation>
     </message>
     <message>
-        <source>Too close to a singular pose</source>
-        <translation>过于接近奇异位姿</translation>
+        <source>Zoom in</source>
+        <translation>放大</translation>
     </message>
     <message>
-        <source>%1 would be %2, outside its allowed ±%3</source>
-        <translation>%1 将为 %2，超出允许的 ±%3</translation>
+        <source>Show half the time (+)</source>
+        <translation>显示一半的时间（+）</translation>
     </message>
     <message>
-        <source>Leg %1 would move at %2 mm/s, above its limit of %3 mm/s</source>
-        <translation>支腿 %1 速度将为 %2 mm/s，超过其限值 %3 mm/s</translation>
+        <source>Everything</source>
+        <translation>全部</translation>
     </message>
     <message>
-        <source>Leg %1 would accelerate by %2 mm/s², above its limit of %3 mm/s²</source>
-        <translation>支腿 %1 加速度将为 %2 mm/s²，超过其限值 %3 mm/s²</translation>
+        <source>Show everything</source>
+        <translation>显示全部</translation>
     </message>
     <message>
-        <source>The path comes too close to a singular pose</source>
-        <translation>路径过于接近奇异位姿</translation>
+        <source>The whole log (Home)</source>
+        <translation>整个日志（Home）</translation>
     </message>
     <message>
-        <source>Beyond the singular poses: q would be %1, at least %2 is needed</source>
-        <translation>越过奇异位姿：q 将为 %1，至少需要 %2</translation>
+        <source>Export</source>
+        <translation>导出</translation>
     </message>
     <message>
-        <source>Leg %1 would exceed its speed limit</source>
-        <translation>支腿 %1 将超过其速度极限</translation>
+        <source>The charts as PNG, SVG or PDF, or the rows shown as CSV</source>
+        <translation>将图表导出为 PNG、SVG 或 PDF，或将所示的行导出为 CSV</translation>
     </message>
     <message>
-        <source>%1 would be outside its allowed range</source>
-        <translation>%1 将超出允许范围</translation>
+        <source>Cursor A</source>
+        <translation>光标 A</translation>
     </message>
     <message>
-        <source>Beyond the singular poses</source>
-        <translation>越过奇异位姿</translation>
+        <source>Cursor B</source>
+        <translation>光标 B</translation>
     </message>
     <message>
-        <source>%1, at %2 % of the path</source>
-        <translation>%1（位于路径 %2 % 处）</translation>
+        <source>Time in s; a click into a chart sets A, with Ctrl B; the keys A and B too</source>
+        <translation>时间，s；在图表中单击设置 A，按住 Ctrl 单击设置 B；也可用 A 键和 B 键</translation>
+    </message>
+</context>
+<context>
+    <name>hexapose::ViewerMenu</name>
+    <message>
+        <source>Keys</source>
+        <translation>按键</translation>
     </message>
     <message>
-        <source>Leg %1 would exceed its acceleration limit</source>
-        <translation>支腿 %1 将超过其加速度极限</translation>
+        <source>With the focus on a chart:
+left and right: move through time
++ and -: zoom
+Home: everything
+Backspace or Alt+left, Alt+right: views back and forward
+A and B: set a cursor at the pointer, or in the middle
+Ctrl+left and Ctrl+right: the cursor set last, row by row
+Esc: no cursors
+Menu: curves and charts
+
+Mouse: the wheel zooms in time, with Ctrl in values, with Shift it moves; a box zooms; Shift and drag moves; a click sets cursor A, with Ctrl cursor B.</source>
+        <translation>焦点在图表上时：
+左右键：在时间上移动
++ 和 -：缩放
+Home：全部
+Backspace 或 Alt+左、Alt+右：后退和前进
+A 和 B：在指针处或视图中间设置光标
+Ctrl+左、Ctrl+右：逐行移动上次设置的光标
+Esc：取消光标
+菜单键：曲线和图表
+
+鼠标：滚轮缩放时间，按住 Ctrl 缩放数值，按住 Shift 平移；拖框放大；按住 Shift 拖动平移；单击设置光标 A，按住 Ctrl 单击设置光标 B。</translation>
     </message>
     <message>
-        <source>The path runs along a singular pose, or is too long to be checked in time</source>
-        <translation>路径贴近奇异位姿，或过长而无法及时检查</translation>
+        <source>&amp;File</source>
+        <translation>文件(&amp;F)</translation>
     </message>
     <message>
-        <source>The platform has moved since the motion was planned</source>
-        <translation>规划之后平台已移动</translation>
+        <source>&amp;Open log...</source>
+        <translation>打开日志(&amp;O)...</translation>
     </message>
     <message>
-        <source>The limits have changed since the motion was planned</source>
-        <translation>规划之后限值已改变</translation>
+        <source>Open another log in this &amp;layout...</source>
+        <translation>用此布局打开另一日志(&amp;L)...</translation>
+    </message>
+    <message>
+        <source>&amp;Recent logs</source>
+        <translation>最近的日志(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Export...</source>
+        <translation>导出(&amp;E)...</translation>
+    </message>
+    <message>
+        <source>&amp;Close log</source>
+        <translation>关闭日志(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>退出(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>&amp;Charts</source>
+        <translation>图表(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Add chart</source>
+        <translation>添加图表(&amp;A)</translation>
+    </message>
+    <message>
+        <source>&amp;Save layout...</source>
+        <translation>保存布局(&amp;S)...</translation>
+    </message>
+    <message>
+        <source>&amp;Load layout...</source>
+        <translation>载入布局(&amp;L)...</translation>
+    </message>
+    <message>
+        <source>&amp;Usual charts</source>
+        <translation>默认图表(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>视图(&amp;V)</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>帮助(&amp;H)</translation>
+    </message>
+    <message>
+        <source>&amp;Keys...</source>
+        <translation>按键(&amp;K)...</translation>
+    </message>
+</context>
+<context>
+    <name>hexapose::ViewerWindow</name>
+    <message>
+        <source>Open log</source>
+        <translation>打开日志</translation>
+    </message>
+    <message>
+        <source>Logs and tables (*.csv *.csv.gz *.tsv *.txt);;All files (*)</source>
+        <translation>日志和表格 (*.csv *.csv.gz *.tsv *.txt);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>导出</translation>
+    </message>
+    <message>
+        <source>PNG picture (*.png);;SVG drawing (*.svg);;PDF page (*.pdf);;Rows shown, as they stand in the log (*.csv)</source>
+        <translation>PNG 图片 (*.png);;SVG 图形 (*.svg);;PDF 页面 (*.pdf);;所示的行，与日志原文相同 (*.csv)</translation>
+    </message>
+    <message>
+        <source>Save layout</source>
+        <translation>保存布局</translation>
+    </message>
+    <message>
+        <source>Layouts (*.json)</source>
+        <translation>布局 (*.json)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2</source>
+        <translation>%1 无法写入：%2</translation>
+    </message>
+    <message>
+        <source>Load layout</source>
+        <translation>载入布局</translation>
+    </message>
+    <message>
+        <source>Layouts (*.json);;All files (*)</source>
+        <translation>布局 (*.json);;所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>Hexapose viewer</source>
+        <translation>Hexapose 日志查看器</translation>
+    </message>
+    <message>
+        <source>Open logs</source>
+        <translation>已打开的日志</translation>
+    </message>
+    <message>
+        <source>Open a log (Ctrl+O), or drop a file here</source>
+        <translation>打开日志（Ctrl+O），或将文件拖放到这里</translation>
+    </message>
+    <message>
+        <source>Open log in this layout</source>
+        <translation>用此布局打开日志</translation>
     </message>
 </context>
 <context>
@@ -1918,22 +2704,6 @@ FSI：以小步沿支腿路径跟踪
         <translation>视图(&amp;V)</translation>
     </message>
     <message>
-        <source>&amp;Language</source>
-        <translation>语言(&amp;L)</translation>
-    </message>
-    <message>
-        <source>&amp;Theme</source>
-        <translation>主题(&amp;T)</translation>
-    </message>
-    <message>
-        <source>&amp;Light</source>
-        <translation>浅色(&amp;L)</translation>
-    </message>
-    <message>
-        <source>&amp;Dark</source>
-        <translation>深色(&amp;D)</translation>
-    </message>
-    <message>
         <source>Keys</source>
         <translation>按键</translation>
     </message>
@@ -1966,244 +2736,6 @@ PgDn、PgUp：z
     <message>
         <source>&amp;Keys...</source>
         <translation>按键(&amp;K)...</translation>
-    </message>
-</context>
-<context>
-    <name>hexapose::PayloadText</name>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1：%2</translation>
-    </message>
-    <message>
-        <source>the sweep names no axis</source>
-        <translation>扫频未指定坐标轴</translation>
-    </message>
-    <message>
-        <source>the amplitude of the sweep is not above zero</source>
-        <translation>扫频幅值必须大于零</translation>
-    </message>
-    <message>
-        <source>a frequency of the sweep is below zero</source>
-        <translation>扫频频率不得小于零</translation>
-    </message>
-    <message>
-        <source>the duration of the sweep is not above zero</source>
-        <translation>扫频时长必须大于零</translation>
-    </message>
-    <message>
-        <source>no controller is connected</source>
-        <translation>未连接控制器</translation>
-    </message>
-    <message>
-        <source>the controller has not confirmed the stop yet</source>
-        <translation>控制器尚未确认停止</translation>
-    </message>
-    <message>
-        <source>a length is not a positive number</source>
-        <translation>有长度不是正数</translation>
-    </message>
-    <message>
-        <source>it speaks protocol version %1, not 1</source>
-        <translation>其协议版本为 %1，而不是 1</translation>
-    </message>
-    <message>
-        <source>it has %1 legs, not 6</source>
-        <translation>它有 %1 条支腿，而不是 6 条</translation>
-    </message>
-    <message>
-        <source>a field of its identity cannot be read, or is out of range</source>
-        <translation>其标识中有字段无法读取或超出范围</translation>
-    </message>
-    <message>
-        <source>there is no such port</source>
-        <translation>没有该端口</translation>
-    </message>
-    <message>
-        <source>this is not a serial port</source>
-        <translation>这不是串口</translation>
-    </message>
-    <message>
-        <source>no permission; add yourself to the group of serial ports (%1), then log in again</source>
-        <translation>没有权限；请将自己加入串口用户组（%1），然后重新登录</translation>
-    </message>
-    <message>
-        <source>another program has the port open</source>
-        <translation>端口已被其他程序打开</translation>
-    </message>
-    <message>
-        <source>the port cannot be opened (%1)</source>
-        <translation>无法打开端口（%1）</translation>
-    </message>
-    <message>
-        <source>the port is gone</source>
-        <translation>端口已消失</translation>
-    </message>
-    <message>
-        <source>the port accepts no more bytes</source>
-        <translation>端口不再接收数据</translation>
-    </message>
-    <message>
-        <source>the port is closed</source>
-        <translation>端口已关闭</translation>
-    </message>
-    <message>
-        <source>the last measurement is too old</source>
-        <translation>最近的测量值太旧</translation>
-    </message>
-    <message>
-        <source>disabling was commanded</source>
-        <translation>已下达去使能指令</translation>
-    </message>
-    <message>
-        <source>leg %1 is %2 mm from its set-point, more than %3 mm</source>
-        <translation>支腿 %1 与设定值相差 %2 mm，超过 %3 mm</translation>
-    </message>
-    <message>
-        <source>leg %1 is %2 mm off the path, more than %3 mm</source>
-        <translation>支腿 %1 偏离路径 %2 mm，超过 %3 mm</translation>
-    </message>
-    <message>
-        <source>leg %1 is %2 mm off the path, and the motion makes no progress</source>
-        <translation>支腿 %1 偏离路径 %2 mm，且运动没有进展</translation>
-    </message>
-    <message>
-        <source>%1 did not finish in time</source>
-        <translation>%1未及时完成</translation>
-    </message>
-    <message>
-        <source>%1: not answered</source>
-        <translation>%1：未应答</translation>
-    </message>
-    <message>
-        <source>%1 to %2 mm</source>
-        <translation>%1 至 %2 mm</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1，%2</translation>
-    </message>
-    <message>
-        <source>%1 rows were lost</source>
-        <translation>丢失了 %1 行</translation>
-    </message>
-    <message>
-        <source>Reference</source>
-        <translation>回参考点</translation>
-    </message>
-    <message>
-        <source>Enable</source>
-        <translation>使能</translation>
-    </message>
-    <message>
-        <source>Disable</source>
-        <translation>去使能</translation>
-    </message>
-    <message>
-        <source>Stop</source>
-        <translation>停止</translation>
-    </message>
-    <message>
-        <source>Clear</source>
-        <translation>故障复位</translation>
-    </message>
-    <message>
-        <source>Set-point</source>
-        <translation>设定值</translation>
-    </message>
-    <message>
-        <source>Feedback period</source>
-        <translation>反馈周期</translation>
-    </message>
-    <message>
-        <source>Identification</source>
-        <translation>识别</translation>
-    </message>
-    <message>
-        <source>Unknown state</source>
-        <translation>未知状态</translation>
-    </message>
-    <message>
-        <source>%1 GB, enough for %2 min</source>
-        <translation>%1 GB，可记录 %2 分钟</translation>
-    </message>
-    <message>
-        <source>%1 GB</source>
-        <translation>%1 GB</translation>
-    </message>
-</context>
-<context>
-    <name>hexapose::InputFaultText</name>
-    <message>
-        <source>exists already</source>
-        <translation>已存在</translation>
-    </message>
-    <message>
-        <source>cannot be created: %1</source>
-        <translation>无法创建：%1</translation>
-    </message>
-    <message>
-        <source>cannot be written: %1</source>
-        <translation>无法写入：%1</translation>
-    </message>
-    <message>
-        <source>cannot be read: %1</source>
-        <translation>无法读取：%1</translation>
-    </message>
-    <message>
-        <source>cannot be read further</source>
-        <translation>无法继续读取</translation>
-    </message>
-    <message>
-        <source>is a directory</source>
-        <translation>是一个目录</translation>
-    </message>
-    <message>
-        <source>is empty, a header row was expected</source>
-        <translation>为空，应有表头行</translation>
-    </message>
-    <message>
-        <source>a quote is opened and never closed</source>
-        <translation>引号未闭合</translation>
-    </message>
-    <message>
-        <source>is not UTF-8 text</source>
-        <translation>不是 UTF-8 文本</translation>
-    </message>
-    <message>
-        <source>column %1 is missing</source>
-        <translation>缺少列 %1</translation>
-    </message>
-    <message>
-        <source>column %1 is missing; separate the fields by commas</source>
-        <translation>缺少列 %1；请用逗号分隔各字段</translation>
-    </message>
-    <message>
-        <source>column %1 appears twice</source>
-        <translation>列 %1 出现了两次</translation>
-    </message>
-    <message>
-        <source>the last line is incomplete</source>
-        <translation>最后一行不完整</translation>
-    </message>
-    <message>
-        <source>%1 fields, but the header has %2</source>
-        <translation>有 %1 个字段，但表头有 %2 个</translation>
-    </message>
-    <message>
-        <source>%1 &quot;%2&quot; is not a finite number</source>
-        <translation>%1 的值“%2”不是有限数值</translation>
-    </message>
-    <message>
-        <source>the list holds no poses</source>
-        <translation>列表中没有位姿</translation>
-    </message>
-    <message>
-        <source>%1, line %2: %3</source>
-        <translation>%1，第 %2 行：%3</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1：%2</translation>
     </message>
 </context>
 </TS>

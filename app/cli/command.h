@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QStringList>
+#include "app/common/arguments.h"
 
 namespace hexapose {
 
@@ -11,19 +11,30 @@ inline constexpr int kExitDone = 0;
 inline constexpr int kExitSomeFailed = 1;
 inline constexpr int kExitBadInput = 2;
 
-// Each command takes the words after its name and returns the exit status; bad usage or input is an
-// InputError.
-int inverseCommand(const QStringList& arguments);
-int forwardCommand(const QStringList& arguments);
-int trainCommand(const QStringList& arguments);
-int simulateCommand(const QStringList& arguments);
-int runCommand(const QStringList& arguments);
-int reportCommand(const QStringList& arguments);
-int experimentCommand(const QStringList& arguments);
-int summaryCommand(const QStringList& arguments);
-int verifyCommand(const QStringList& arguments);
-int compareCommand(const QStringList& arguments);
-int trackCommand(const QStringList& arguments);
-int reproduceCommand(const QStringList& arguments);
+// What each command takes, and its work: it returns the exit status; bad usage or input is an InputError.
+Usage inverseUsage();
+int inverseCommand(const Arguments& arguments);
+Usage forwardUsage();
+int forwardCommand(const Arguments& arguments);
+Usage trainUsage();
+int trainCommand(const Arguments& arguments);
+Usage simulateUsage();
+int simulateCommand(const Arguments& arguments);
+Usage runUsage();
+int runCommand(const Arguments& arguments);
+Usage reportUsage();
+int reportCommand(const Arguments& arguments);
+Usage summaryUsage();
+int summaryCommand(const Arguments& arguments);
+Usage verifyUsage();
+int verifyCommand(const Arguments& arguments);
+Usage compareUsage();
+int compareCommand(const Arguments& arguments);
+Usage trackUsage();
+int trackCommand(const Arguments& arguments);
+Usage reproduceUsage();
+int reproduceCommand(const Arguments& arguments);
+Usage experimentUsage();
+int experimentCommand(const Arguments& arguments);
 
 } // namespace hexapose

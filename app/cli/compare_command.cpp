@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "app/cli/command.h"
-#include "app/cli/table_problems.h"
 #include "app/common/arguments.h"
+#include "app/common/table_problems.h"
 #include "core/analysis/compare_tables.h"
 #include "core/base/csv_table.h"
 #include "core/base/input_error.h"
@@ -29,16 +29,18 @@ double eventShift(const Table& a, const Table& b, const std::string& text) {
 
 } // namespace
 
-int compareCommand(const QStringList& words) {
-    const Arguments arguments(
-        {"hexapose-cli compare",
-         {QStringLiteral("A.csv"), QStringLiteral("B.csv")},
-         {{"shift", "S", "What happens at t in A happens at t + S in B (default: found from the columns)."},
-          {"align", "EVENT", "The first event that holds this text happens in both at once."}},
-         "How much the columns that two logs have in common differ.",
-         {},
-         {}},
-        words);
+Usage compareUsage() {
+    return {
+        "hexapose-cli compare",
+        {QStringLiteral("A.csv"), QStringLiteral("B.csv")},
+        {{"shift", "S", "What happens at t in A happens at t + S in B (default: found from the columns)."},
+         {"align", "EVENT", "The first event that holds this text happens in both at once."}},
+        "How much the columns that two logs have in common differ.",
+        {},
+        {}};
+}
+
+int compareCommand(const Arguments& arguments) {
     if (arguments.has("shift") && arguments.has("align"))
         throw InputError("--align", "cannot be given beside --shift");
     const std::shared_ptr<const Table> a = loadTable(arguments.operand(0)),

@@ -67,23 +67,24 @@ experiment::TrialSettings settingsOf(const Arguments& arguments) {
 
 } // namespace
 
-int experimentCommand(const QStringList& words) {
-    const Arguments arguments(
-        {"hexapose-cli experiment",
-         {QStringLiteral("closed-loop")},
-         withSolverOptions(
-             {{"out", "DIR", "Directory of the text, CSV, pictures and PDF."},
-              {"moves", "N", "Moves of each mode (default: 20)."},
-              {"seed", "S", "Seed of the random targets (default: 1)."},
-              {"push-mm", "P", "Push of one leg during each move (default: 2)."},
-              {"push-s", "T", "Seconds that a push lasts (default: 0.6)."},
-              {"no-push", "", "Push no leg."},
-              {"time-constants-ms", "T|T1,...,T6",
-               "Time constants of the legs (default: 50,70,90,110,130,150)."},
-              {"leg-limit-mm-s", "V", "Largest speed of the legs (default: 100)."},
-              {"resolution-mm", "R", "Resolution of the reported lengths (default: 0.1)."},
-              {"noise-mm", "N", "Standard deviation of the reported lengths (default: none)."}})},
-        words);
+Usage experimentUsage() {
+    return {"hexapose-cli experiment",
+            {QStringLiteral("closed-loop")},
+            withSolverOptions(
+                {{"out", "DIR", "Directory of the text, CSV, pictures and PDF."},
+                 {"moves", "N", "Moves of each mode (default: 20)."},
+                 {"seed", "S", "Seed of the random targets (default: 1)."},
+                 {"push-mm", "P", "Push of one leg during each move (default: 2)."},
+                 {"push-s", "T", "Seconds that a push lasts (default: 0.6)."},
+                 {"no-push", "", "Push no leg."},
+                 {"time-constants-ms", "T|T1,...,T6",
+                  "Time constants of the legs (default: 50,70,90,110,130,150)."},
+                 {"leg-limit-mm-s", "V", "Largest speed of the legs (default: 100)."},
+                 {"resolution-mm", "R", "Resolution of the reported lengths (default: 0.1)."},
+                 {"noise-mm", "N", "Standard deviation of the reported lengths (default: none)."}})};
+}
+
+int experimentCommand(const Arguments& arguments) {
     if (arguments.operand(0) != "closed-loop")
         throw InputError("experiment",
                          "unknown experiment '" + arguments.operand(0) + "' (known: closed-loop)");

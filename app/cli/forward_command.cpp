@@ -97,21 +97,23 @@ void appendFallback(std::string& out, const PathFallback::Answer& answer) {
 
 } // namespace
 
-int forwardCommand(const QStringList& words) {
-    const Arguments arguments(
-        {"hexapose-cli forward",
-         {QStringLiteral("LENGTHS.csv")},
-         {{"method", "M", "newton, newton-as-published, mpr2, mpr3, mpr2-nr, mpr3-nr (default) or fsi."},
-          {"model", "FILE", "Regression model (default: the platform's own, trained on first use)."},
-          {"start", "home|previous|POSE",
-           "Where the iteration or the path begins (default: home); POSE: six numbers, mm and deg."},
-          {"tolerance-mm", "T", "Largest residual of a solution, mm."},
-          {"max-iterations", "N", "Most Newton iterations (default: 50)."},
-          {"steps", "N", "Steps of fsi (default: 1000)."},
-          {"form", "open|closed|corrected", "Form of a step of fsi (default: corrected)."},
-          {"details", "", "Also bounds of the error, condition, standard deviations, and the fallback."},
-          {"resolution-mm", "R", "Resolution of the lengths, for --details (default: 0.1)."}}},
-        words);
+Usage forwardUsage() {
+    return {"hexapose-cli forward",
+            {QStringLiteral("LENGTHS.csv")},
+            {{"method", "M", "newton, newton-as-published, mpr2, mpr3, mpr2-nr, mpr3-nr (default) or fsi.",
+              methodWords()},
+             {"model", "FILE", "Regression model (default: the platform's own, trained on first use)."},
+             {"start", "home|previous|POSE",
+              "Where the iteration or the path begins (default: home); POSE: six numbers, mm and deg."},
+             {"tolerance-mm", "T", "Largest residual of a solution, mm."},
+             {"max-iterations", "N", "Most Newton iterations (default: 50)."},
+             {"steps", "N", "Steps of fsi (default: 1000)."},
+             {"form", "open|closed|corrected", "Form of a step of fsi (default: corrected)."},
+             {"details", "", "Also bounds of the error, condition, standard deviations, and the fallback."},
+             {"resolution-mm", "R", "Resolution of the lengths, for --details (default: 0.1)."}}};
+}
+
+int forwardCommand(const Arguments& arguments) {
     const std::string start = arguments.text("start", "home");
     Pose from = startPose(start);
     const bool details = arguments.has("details");

@@ -17,8 +17,11 @@
 
 namespace hexapose {
 
-int inverseCommand(const QStringList& words) {
-    const Arguments arguments({"hexapose-cli inverse", {QStringLiteral("POSES.csv")}, {}}, words);
+Usage inverseUsage() {
+    return {"hexapose-cli inverse", {QStringLiteral("POSES.csv")}, {}};
+}
+
+int inverseCommand(const Arguments& arguments) {
     const PlatformGeometry platform = arguments.platform();
     warnUnlessMovable(platform, arguments.text("platform", "laboratory"));
     const CsvTable table = readCsv(arguments.operand(0));

@@ -3,6 +3,7 @@
 
 #include "app/cli/command.h"
 #include "app/common/arguments.h"
+#include "app/describe/describe.h"
 #include "core/base/input_error.h"
 
 #include <QCoreApplication>
@@ -21,24 +22,30 @@ using namespace hexapose;
 
 struct Subcommand {
     const char* name;
-    int (*run)(const QStringList& arguments);
+    Usage (*usage)();
+    int (*run)(const Arguments& arguments);
     bool draws; ///< needs fonts and a paint engine, but never a display
     const char* help;
 };
 
 constexpr Subcommand kSubcommands[] = {
-    {"inverse", inverseCommand, false, "leg lengths of poses"},
-    {"forward", forwardCommand, false, "poses of leg lengths"},
-    {"train", trainCommand, false, "fit a regression model to a platform"},
-    {"simulate", simulateCommand, false, "a virtual platform on a pseudo-terminal"},
-    {"run", runCommand, true, "move a platform through a list of poses, and report"},
-    {"report", reportCommand, true, "the error report of a recorded run"},
-    {"summary", summaryCommand, false, "count, extremes, mean and deviation of the columns of a log"},
-    {"verify", verifyCommand, false, "solve the recorded lengths of a log again, and list what differs"},
-    {"compare", compareCommand, false, "how much the columns of two logs differ"},
-    {"track", trackCommand, true, "the motion of a mechanism over a drive, by finite-step integration"},
-    {"reproduce", reproduceCommand, true, "the published tables and figures beside measured values"},
-    {"experiment", experimentCommand, true, "closed loop: joint mode against workspace mode, simulated"},
+    {"inverse", inverseUsage, inverseCommand, false, "leg lengths of poses"},
+    {"forward", forwardUsage, forwardCommand, false, "poses of leg lengths"},
+    {"train", trainUsage, trainCommand, false, "fit a regression model to a platform"},
+    {"simulate", simulateUsage, simulateCommand, false, "a virtual platform on a pseudo-terminal"},
+    {"run", runUsage, runCommand, true, "move a platform through a list of poses, and report"},
+    {"report", reportUsage, reportCommand, true, "the error report of a recorded run"},
+    {"summary", summaryUsage, summaryCommand, false,
+     "count, extremes, mean and deviation of the columns of a log"},
+    {"verify", verifyUsage, verifyCommand, false,
+     "solve the recorded lengths of a log again, and list what differs"},
+    {"compare", compareUsage, compareCommand, false, "how much the columns of two logs differ"},
+    {"track", trackUsage, trackCommand, true,
+     "the motion of a mechanism over a drive, by finite-step integration"},
+    {"reproduce", reproduceUsage, reproduceCommand, true,
+     "the published tables and figures beside measured values"},
+    {"experiment", experimentUsage, experimentCommand, true,
+     "closed loop: joint mode against workspace mode, simulated"},
 };
 
 void printHelp() {
@@ -65,9 +72,16 @@ void dropRemarks(QtMsgType type, const QMessageLogContext&, const QString& text)
         std::fprintf(stderr, "hexapose-cli: %s\n", text.toLocal8Bit().constData());
 }
 
-int runGuarded(const Subcommand& command, const QStringList& arguments) {
+ProgramDescription description() {
+    ProgramDescription program{"hexapose-cli", {}, {}};
+    for (const Subcommand& command : kSubcommands)
+        program.commands.push_back({command.name, command.help, command.usage()});
+    return program;
+}
+
+int runGuarded(const Subcommand& command, const QStringList& words) {
     try {
-        int status = command.run(arguments);
+        const int status = command.run(Arguments(command.usage(), words));
         if (std::fflush(stdout) != 0 || std::ferror(stdout))
             throw InputError("standard output", std::strerror(errno));
         return status;
@@ -99,14 +113,16 @@ int main(int argc, char** argv) {
         std::puts("hexapose-cli " HEXAPOSE_VERSION);
         return kExitDone;
     }
+    if (std::strcmp(argv[1], "--describe") == 0 && argc == 3)
+        return printDescription(description(), argv[2]);
     const Subcommand* command = findSubcommand(argv[1]);
     if (!command) {
         std::fprintf(stderr, "hexapose-cli: unknown command '%s' (see hexapose-cli --help)\n", argv[1]);
         return kExitBadInput;
     }
-    QStringList arguments;
+    QStringList words;
     for (int i = 2; i < argc; ++i)
-        arguments.append(QString::fromLocal8Bit(argv[i]));
+        words.append(QString::fromLocal8Bit(argv[i]));
     qInstallMessageHandler(dropRemarks);
     int ownCount = 1; // our options are not Qt's
     std::unique_ptr<QCoreApplication> application;
@@ -116,5 +132,5 @@ int main(int argc, char** argv) {
     } else {
         application = std::make_unique<QCoreApplication>(ownCount, argv);
     }
-    return runGuarded(*command, arguments);
+    return runGuarded(*command, words);
 }

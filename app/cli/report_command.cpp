@@ -40,16 +40,18 @@ PlatformGeometry platformOf(const SessionLog& log, const Arguments& arguments) {
 
 } // namespace
 
-int reportCommand(const QStringList& words) {
-    const Arguments arguments(
-        {"hexapose-cli report",
-         {QStringLiteral("LOG.csv")},
-         withSolverOptions({{"out", "DIR", "Directory of report.pdf, errors.csv, errors.png and errors.svg."},
-                            {"resolution-mm", "R", "Resolution of the lengths (default: 0.1)."}}),
-         {},
-         {},
-         "Platform name or file, for a log without its TOML file (default: that file's, else laboratory)."},
-        words);
+Usage reportUsage() {
+    return {
+        "hexapose-cli report",
+        {QStringLiteral("LOG.csv")},
+        withSolverOptions({{"out", "DIR", "Directory of report.pdf, errors.csv, errors.png and errors.svg."},
+                           {"resolution-mm", "R", "Resolution of the lengths (default: 0.1)."}}),
+        {},
+        {},
+        "Platform name or file, for a log without its TOML file (default: that file's, else laboratory)."};
+}
+
+int reportCommand(const Arguments& arguments) {
     const std::string directory = arguments.requiredText("out");
     const double resolution = metresFromMm(arguments.positive("resolution-mm", 0.1));
     const std::string file = arguments.operand(0);

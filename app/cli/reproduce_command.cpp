@@ -86,12 +86,13 @@ bool reportDeviations(const std::vector<Exhibit>& exhibits) {
 
 } // namespace
 
-int reproduceCommand(const QStringList& words) {
-    const Arguments arguments(
-        {"hexapose-cli reproduce",
-         {QStringLiteral("table2|table3|table4|table5|figure3|figure5|figure13|figure15|figure16|all")},
-         {{"out", "DIR", "Directory of the texts, CSV, pictures and (all) the PDF."}}},
-        words);
+Usage reproduceUsage() {
+    return {"hexapose-cli reproduce",
+            {QStringLiteral("table2|table3|table4|table5|figure3|figure5|figure13|figure15|figure16|all")},
+            {{"out", "DIR", "Directory of the texts, CSV, pictures and (all) the PDF."}}};
+}
+
+int reproduceCommand(const Arguments& arguments) {
     const std::string what = arguments.operand(0);
     const std::vector<ExhibitMaker> makers = chosenMakers(what);
     const fs::path directory = arguments.requiredText("out");

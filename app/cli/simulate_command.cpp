@@ -28,17 +28,19 @@ sigset_t blockEndSignals() {
 
 } // namespace
 
-int simulateCommand(const QStringList& words) {
-    const Arguments arguments({"hexapose-cli simulate",
-                               {},
-                               {{"protocol", "line", "Protocol to speak."},
-                                {"link", "PATH", "A symbolic link to make to the port."},
-                                {"period-ms", "P", "Feedback period, 1 to 1000 ms (default: 10)."},
-                                {"resolution-mm", "R", "Resolution of the measured lengths (default: 0.1)."},
-                                {"faults", "SPEC",
-                                 "What goes wrong, for example crc=0.01,drop=0.02,garbage=0.01,"
-                                 "nan=0.01,torn=0.02,silence=10@5,noise=0.05,seed=7."}}},
-                              words);
+Usage simulateUsage() {
+    return {"hexapose-cli simulate",
+            {},
+            {{"protocol", "line", "Protocol to speak."},
+             {"link", "PATH", "A symbolic link to make to the port."},
+             {"period-ms", "P", "Feedback period, 1 to 1000 ms (default: 10)."},
+             {"resolution-mm", "R", "Resolution of the measured lengths (default: 0.1)."},
+             {"faults", "SPEC",
+              "What goes wrong, for example crc=0.01,drop=0.02,garbage=0.01,"
+              "nan=0.01,torn=0.02,silence=10@5,noise=0.05,seed=7."}}};
+}
+
+int simulateCommand(const Arguments& arguments) {
     const std::string protocol = arguments.requiredText("protocol");
     if (protocol != "line")
         throw InputError("--protocol",

@@ -27,9 +27,9 @@ const ForwardMethod& chooseMethod(const std::string& word) {
     if (const ForwardMethod* method = findForwardMethod(word))
         return *method;
     std::string known;
-    for (const ForwardMethod& method : forwardMethods())
-        known += std::string(method.word) + ", ";
-    throw InputError("--method", "unknown method '" + word + "' (known: " + known + kFiniteSteps + ")");
+    for (const std::string& each : methodWords())
+        known += (known.empty() ? "" : ", ") + each;
+    throw InputError("--method", "unknown method '" + word + "' (known: " + known + ")");
 }
 
 PolynomialModel ownModel(const PlatformGeometry& platform, const ForwardMethod& method) {
@@ -118,13 +118,21 @@ StepForm stepForm(const Arguments& arguments, StepForm fallback) {
     return *form;
 }
 
+std::vector<std::string> methodWords() {
+    std::vector<std::string> words;
+    for (const ForwardMethod& method : forwardMethods())
+        words.emplace_back(method.word);
+    words.emplace_back(kFiniteSteps);
+    return words;
+}
+
 std::vector<OptionSpec> withSolverOptions(std::vector<OptionSpec> own) {
-    own.insert(own.end(), {{"method", "M", "Forward method, as in 'forward'."},
+    own.insert(own.end(), {{"method", "M", "Forward method, as in 'forward'.", methodWords()},
                            {"model", "FILE", "Regression model, as in 'forward'."},
                            {"tolerance-mm", "T", "Largest residual of a solution, as in 'forward'."},
                            {"max-iterations", "N", "Most Newton iterations, as in 'forward'."},
                            {"steps", "N", "Steps of fsi, as in 'forward'."},
-                           {"form", "F", "Form of a step of fsi, as in 'forward'."}});
+                           {"form", "open|closed|corrected", "Form of a step of fsi, as in 'forward'."}});
     return own;
 }
 

@@ -23,6 +23,9 @@ struct ChosenSolver {
     const PathFallback* fallback() const { return dynamic_cast<const PathFallback*>(solver.get()); }
 };
 
+/// What --method knows.
+std::vector<std::string> methodWords();
+
 /// A command's own options, and those that chooseSolver() reads.
 std::vector<OptionSpec> withSolverOptions(std::vector<OptionSpec> own);
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "app/cli/command.h"
-#include "app/cli/table_problems.h"
 #include "app/common/arguments.h"
+#include "app/common/table_problems.h"
 #include "core/base/csv_table.h"
 #include "core/base/input_error.h"
 #include "core/base/number_text.h"
@@ -43,18 +43,19 @@ std::vector<std::size_t> chosenColumns(const Arguments& arguments, const Table& 
 
 } // namespace
 
-int summaryCommand(const QStringList& words) {
-    const Arguments arguments(
-        {"hexapose-cli summary",
-         {QStringLiteral("LOG.csv")},
-         {{"columns", "A,B", "These columns alone."},
-          {"from", "S",
-           "From this time on, in s: of the file's clock, or of its first row where times are dates."},
-          {"to", "S", "Up to this time, included."}},
-         "Count, extremes, mean and deviation of each column of a log, or of any CSV.",
-         {},
-         {}},
-        words);
+Usage summaryUsage() {
+    return {"hexapose-cli summary",
+            {QStringLiteral("LOG.csv")},
+            {{"columns", "A,B", "These columns alone."},
+             {"from", "S",
+              "From this time on, in s: of the file's clock, or of its first row where times are dates."},
+             {"to", "S", "Up to this time, included."}},
+            "Count, extremes, mean and deviation of each column of a log, or of any CSV.",
+            {},
+            {}};
+}
+
+int summaryCommand(const Arguments& arguments) {
     constexpr double kForever = std::numeric_limits<double>::infinity();
     const double from = arguments.number("from", -kForever), to = arguments.number("to", kForever);
     if (from > to)

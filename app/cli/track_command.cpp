@@ -62,22 +62,24 @@ std::string stopText(const StepSystem& system, const Track& track, int steps) {
 
 } // namespace
 
-int trackCommand(const QStringList& words) {
-    const Arguments arguments(
-        {"hexapose-cli track",
-         {},
-         {{"drive", "FILE.csv|reference",
-           "What the actuators do: a table over time_s, or the mechanism's own."},
-          {"steps", "N", "Steps (default: 1000)."},
-          {"out", "DIR", "Directory of tracking.csv, tracking.png and tracking.svg."},
-          {"mechanism", "NAME|FILE", "Mechanism: 6-ups (default), 3-ups-s, 6-pus, 6-rus, 3-rps, or a file."},
-          {"form", "open|closed|corrected", "Form of a step (default: closed)."},
-          {"rates", "equations|averages",
-           "Velocity and acceleration from the equations (default), or from averages of steps."}},
-         {},
-         {},
-         "Platform name or file that is itself the mechanism (default: that of --mechanism)."},
-        words);
+Usage trackUsage() {
+    return {
+        "hexapose-cli track",
+        {},
+        {{"drive", "FILE.csv|reference",
+          "What the actuators do: a table over time_s, or the mechanism's own."},
+         {"steps", "N", "Steps (default: 1000)."},
+         {"out", "DIR", "Directory of tracking.csv, tracking.png and tracking.svg."},
+         {"mechanism", "NAME|FILE", "Mechanism: 6-ups (default), 3-ups-s, 6-pus, 6-rus, 3-rps, or a file."},
+         {"form", "open|closed|corrected", "Form of a step (default: closed)."},
+         {"rates", "equations|averages",
+          "Velocity and acceleration from the equations (default), or from averages of steps."}},
+        {},
+        {},
+        "Platform name or file that is itself the mechanism (default: that of --mechanism)."};
+}
+
+int trackCommand(const Arguments& arguments) {
     const std::string drive = arguments.requiredText("drive");
     const fs::path directory = arguments.requiredText("out");
     TrackOptions options;

@@ -48,17 +48,18 @@ void appendErrors(std::string& out, const char* name, const PoseVector& errors) 
 
 } // namespace
 
-int trainCommand(const QStringList& words) {
-    const Arguments arguments(
-        {"hexapose-cli train",
-         {},
-         {{"degree", "D", "Degree of the polynomial, 1 to 4 (default: 3)."},
-          {"range-mm", "R", "Displacements within +-R mm (default: from the platform's size)."},
-          {"range-deg", "A", "Angles within +-A deg (default: from the platform)."},
-          {"samples", "N", "Training poses (default: 100000)."},
-          {"seed", "S", "Seed of the random poses (default: 1)."},
-          {"out", "FILE", "The model file to write; never overwrites a file that is not a model."}}},
-        words);
+Usage trainUsage() {
+    return {"hexapose-cli train",
+            {},
+            {{"degree", "D", "Degree of the polynomial, 1 to 4 (default: 3)."},
+             {"range-mm", "R", "Displacements within +-R mm (default: from the platform's size)."},
+             {"range-deg", "A", "Angles within +-A deg (default: from the platform)."},
+             {"samples", "N", "Training poses (default: 100000)."},
+             {"seed", "S", "Seed of the random poses (default: 1)."},
+             {"out", "FILE", "The model file to write; never overwrites a file that is not a model."}}};
+}
+
+int trainCommand(const Arguments& arguments) {
     const std::string file = arguments.requiredText("out");
     checkOut(file);
     const PlatformGeometry platform = arguments.platform();

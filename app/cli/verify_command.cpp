@@ -3,8 +3,8 @@
 
 #include "app/cli/command.h"
 #include "app/cli/solver_choice.h"
-#include "app/cli/table_problems.h"
 #include "app/common/arguments.h"
+#include "app/common/table_problems.h"
 #include "core/analysis/solve_again.h"
 #include "core/base/csv_table.h"
 #include "core/base/input_error.h"
@@ -52,18 +52,19 @@ std::string rowText(const Table& table, const Disagreement& one) {
 
 } // namespace
 
-int verifyCommand(const QStringList& words) {
-    Usage usage{
-        "hexapose-cli verify",
-        {QStringLiteral("LOG.csv")},
-        {{"method", "M", "Forward method, as in 'forward'."},
-         {"model", "FILE", "Regression model, as in 'forward'."},
-         {"tolerance-mm", "T", "Largest difference of a position that counts as none (default: 1e-6)."},
-         {"tolerance-deg", "D", "Largest difference of an angle (default: 1e-6)."}},
-        "Solves the recorded lengths of a log again and lists the rows whose recorded pose differs.",
-        {},
-        "Platform name or file (default: that recorded beside the log, else laboratory)."};
-    const Arguments arguments(usage, words);
+Usage verifyUsage() {
+    return {"hexapose-cli verify",
+            {QStringLiteral("LOG.csv")},
+            {{"method", "M", "Forward method, as in 'forward'."},
+             {"model", "FILE", "Regression model, as in 'forward'."},
+             {"tolerance-mm", "T", "Largest difference of a position that counts as none (default: 1e-6)."},
+             {"tolerance-deg", "D", "Largest difference of an angle (default: 1e-6)."}},
+            "Solves the recorded lengths of a log again and lists the rows whose recorded pose differs.",
+            {},
+            "Platform name or file (default: that recorded beside the log, else laboratory)."};
+}
+
+int verifyCommand(const Arguments& arguments) {
     AgreementTolerance tolerance;
     tolerance.offset = metresFromMm(arguments.positive("tolerance-mm", 1e-6));
     tolerance.angle = radiansFromDeg(arguments.positive("tolerance-deg", 1e-6));

@@ -29,6 +29,8 @@ std::string helpText(const QCommandLineParser& parser, const Usage& usage) {
     std::string text = "Usage: " + usage.call + " [options]";
     for (const QString& operand : usage.operands)
         text += " " + operand.toStdString();
+    if (!usage.furtherOperands.isEmpty())
+        text += " " + usage.furtherOperands.toStdString();
     const std::string rest = parser.helpText().toStdString();
     text += rest.substr(std::min(rest.find('\n'), rest.size()));
     if (!usage.remark.empty())
@@ -43,15 +45,13 @@ Arguments::Arguments(const Usage& usage, const QStringList& words) : m_subject(u
     m_parser.setApplicationDescription(QString::fromStdString(usage.about));
     for (const QString& operand : usage.operands)
         m_parser.addPositionalArgument(operand, QString());
-    for (const OptionSpec& spec : usage.options)
-        m_parser.addOption(QCommandLineOption(QString::fromLatin1(spec.name), QString::fromUtf8(spec.help),
-                                              QString::fromLatin1(spec.value)));
-    if (!usage.platformHelp.empty())
-        m_parser.addOption(QCommandLineOption(QStringLiteral("platform"),
-                                              QString::fromStdString(usage.platformHelp),
-                                              QStringLiteral("NAME|FILE")));
-    m_parser.addOption(
-        QCommandLineOption({QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("Show this help.")));
+    for (const OptionSpec& spec : usage.allOptions()) {
+        QStringList names{QString::fromLatin1(spec.name)};
+        if (names.front() == QLatin1String("help"))
+            names.prepend(QStringLiteral("h"));
+        m_parser.addOption(
+            QCommandLineOption(names, QString::fromStdString(spec.help), QString::fromLatin1(spec.value)));
+    }
     const bool parsed = m_parser.parse(QStringList{QString::fromStdString(usage.call)} + words);
     if (m_parser.isSet(QStringLiteral("help")))
         throw HelpRequest{helpText(m_parser, usage)};
@@ -80,13 +80,17 @@ void Arguments::refuseMisfits(const Usage& usage, bool parsed) const {
     const QStringList given = m_parser.positionalArguments();
     if (given.size() < usage.operands.size())
         throw InputError(m_subject, "missing " + usage.operands[given.size()].toStdString());
-    if (given.size() > usage.operands.size())
+    if (given.size() > usage.operands.size() && usage.furtherOperands.isEmpty())
         throw InputError("'" + given[usage.operands.size()].toStdString() + "'",
                          "unexpected argument; '" + usage.call + " --help' lists what is taken");
 }
 
 std::string Arguments::operand(int index) const {
     return m_parser.positionalArguments().at(index).toStdString();
+}
+
+int Arguments::operandCount() const {
+    return static_cast<int>(m_parser.positionalArguments().size());
 }
 
 bool Arguments::has(const char* option) const {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/common/usage.h"
 #include "core/geometry/platform_geometry.h"
 #include "core/motion/limits.h"
 #include "core/record/log_options.h"
@@ -18,27 +19,6 @@
 
 namespace hexapose {
 
-/// An option: `--name VALUE`, or a switch when `value` is empty.
-struct OptionSpec {
-    const char* name;
-    const char* value;
-    const char* help;
-};
-
-/// What a program takes, or a command of one. --help is always taken, --platform where `platformHelp` says
-/// for what.
-struct Usage {
-    std::string call;     ///< "hexapose", "hexapose-cli inverse"
-    QStringList operands; ///< names of the positional arguments, all of them required
-    std::vector<OptionSpec> options;
-    std::string about = {};  ///< above the list of the options
-    std::string remark = {}; ///< below it
-    std::string platformHelp = "Platform name or file (default: laboratory)."; ///< empty: no --platform
-
-    /// What a complaint about the call as a whole begins with: "inverse".
-    std::string subject() const { return call.substr(call.rfind(' ') + 1); }
-};
-
 /// Thrown when --help is among the words; the text is for standard output.
 struct HelpRequest {
     std::string text;
@@ -51,6 +31,7 @@ public:
     Arguments(const Usage& usage, const QStringList& words);
 
     std::string operand(int index) const;
+    int operandCount() const;
     bool has(const char* option) const;
     std::string text(const char* option, const char* fallback) const;
     std::string requiredText(const char* option) const;

@@ -5,7 +5,9 @@
 
 #include "core/base/input_error.h"
 
+#include <array>
 #include <cstdlib>
+#include <set>
 #include <system_error>
 
 namespace hexapose {
@@ -28,6 +30,13 @@ fs::path programDirectory() {
     return error ? fs::current_path() : program.parent_path();
 }
 
+/// Of an installed program, and of one in build/<preset>/bin.
+std::array<fs::path, 2> shippedFolders(const std::string& folder) {
+    const fs::path bin = programDirectory();
+    return {(bin / "../share/hexapose" / folder).lexically_normal(),
+            (bin / "../../../resources" / folder).lexically_normal()};
+}
+
 /// A file by its path, or by its name one of those that come with the program.
 fs::path findShipped(const std::string& nameOrFile, const std::string& what, const std::string& folder,
                      const char* option) {
@@ -37,18 +46,15 @@ fs::path findShipped(const std::string& nameOrFile, const std::string& what, con
     if (nameOrFile.empty() || nameOrFile.find('/') != std::string::npos ||
         fs::path(nameOrFile).has_extension())
         throw InputError(nameOrFile.empty() ? option : nameOrFile, "no such " + what + " file");
-    const fs::path bin = programDirectory();
-    const fs::path installed = bin / "../share/hexapose" / folder;
-    const fs::path sourceTree = bin / "../../../resources" / folder; // build/<preset>/bin
+    const auto [installed, sourceTree] = shippedFolders(folder);
     for (const fs::path& directory : {installed, sourceTree}) {
-        const fs::path file = (directory / (nameOrFile + ".toml")).lexically_normal();
+        fs::path file = directory / (nameOrFile + ".toml");
         if (fs::exists(file, error))
             return file;
     }
     // The folder that there is: an installed program has nothing to tell of a source tree.
     const fs::path& shown = fs::exists(sourceTree, error) ? sourceTree : installed;
-    throw InputError(nameOrFile, "no such " + what + " file, and none of this name in " +
-                                     shown.lexically_normal().string());
+    throw InputError(nameOrFile, "no such " + what + " file, and none of this name in " + shown.string());
 }
 
 } // namespace
@@ -74,6 +80,17 @@ fs::path findPlatformFile(const std::string& nameOrFile) {
 
 fs::path findMechanismFile(const std::string& nameOrFile) {
     return findShipped(nameOrFile, "mechanism", "mechanisms", "--mechanism");
+}
+
+std::vector<std::string> shippedNames(const std::string& folder) {
+    std::set<std::string> names;
+    for (const fs::path& directory : shippedFolders(folder)) {
+        std::error_code error;
+        for (const auto& entry : fs::directory_iterator(directory, error))
+            if (entry.path().extension() == ".toml")
+                names.insert(entry.path().stem().string());
+    }
+    return {names.begin(), names.end()};
 }
 
 } // namespace hexapose

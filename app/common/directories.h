@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace hexapose {
 
@@ -18,5 +19,7 @@ std::filesystem::path defaultLogDirectory();
 std::filesystem::path findPlatformFile(const std::string& nameOrFile);
 /// The same for a mechanism file ("6-ups").
 std::filesystem::path findMechanismFile(const std::string& nameOrFile);
+/// The names that come with the program in one of these folders, "platforms" or "mechanisms", sorted.
+std::vector<std::string> shippedNames(const std::string& folder);
 
 } // namespace hexapose

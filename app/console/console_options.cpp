@@ -17,40 +17,18 @@ namespace hexapose {
 
 namespace {
 
-Usage usage() {
-    return {
-        "hexapose",
-        {},
-        {{"virtual", "", "Connect to the built-in virtual platform at once."},
-         {"port", "PATH", "Connect to this serial port at once; one that is not there yet is waited for."},
-         {"baud", "N", "Its baud rate (default: 115200)."},
-         {"method", "M",
-          "Forward method for this session: mpr3-nr, mpr2-nr, newton, or fsi, which follows the path of "
-          "the legs in small steps (default: the one chosen last, at first mpr3-nr)."},
-         {"envelope-mm", "E", "Refuse moves further than E mm from home along x, y or z."},
-         {"envelope-deg", "E", "Refuse moves further than E degrees in alpha, beta or gamma."},
-         {"log-dir", "DIR", "Where the logs go."},
-         {"log-part-mb", "N", "Begin another file after N MB of a log (default: 1000)."},
-         {"log-gzip", "", "Compress the files of a log but the last."},
-         {"language", "CODE", "en or zh_CN (default: the desktop's)."},
-         {"theme", "light|dark", "Look of the window (default: the desktop's)."},
-         {"headless", "",
-          "Without a display: run one move and a report of three poses, print the paths of log, "
-          "report and picture."},
-         {"output", "DIR", "Where --headless puts report and picture (default: beside the log)."},
-         {"version", "", "Show the version."}},
-        "The operator console of a six-legged parallel platform.",
-        "Esc stops the motion wherever the focus is; Help, Keys lists the other keys."};
+std::vector<std::string> languageCodes() {
+    std::vector<std::string> codes;
+    for (const Language& language : languages()) {
+        codes.push_back(language.code.toStdString());
+    }
+    return codes;
 }
 
 QString languageOf(const Arguments& arguments) {
     const QString code = languageFromText(QString::fromStdString(arguments.text("language", "")));
-    std::vector<std::string> known;
-    for (const Language& language : languages()) {
-        known.push_back(language.code.toStdString());
-    }
     if (code.isEmpty()) {
-        arguments.choice("language", known, ""); // names those that there are
+        arguments.choice("language", languageCodes(), ""); // names those that there are
     }
     return code;
 }
@@ -71,8 +49,36 @@ std::optional<ConnectionSpec> connectionOf(const Arguments& arguments) {
 
 } // namespace
 
+Usage consoleUsage() {
+    return {
+        "hexapose",
+        {},
+        {{"virtual", "", "Connect to the built-in virtual platform at once."},
+         {"port", "PATH", "Connect to this serial port at once; one that is not there yet is waited for."},
+         {"baud", "N", "Its baud rate (default: 115200)."},
+         {"method",
+          "M",
+          "Forward method for this session: mpr3-nr, mpr2-nr, newton, or fsi, which follows the path of "
+          "the legs in small steps (default: the one chosen last, at first mpr3-nr).",
+          {kSolverChoices.begin(), kSolverChoices.end()}},
+         {"envelope-mm", "E", "Refuse moves further than E mm from home along x, y or z."},
+         {"envelope-deg", "E", "Refuse moves further than E degrees in alpha, beta or gamma."},
+         {"log-dir", "DIR", "Where the logs go."},
+         {"log-part-mb", "N", "Begin another file after N MB of a log (default: 1000)."},
+         {"log-gzip", "", "Compress the files of a log but the last."},
+         {"language", "CODE", "en or zh_CN (default: the desktop's).", languageCodes()},
+         {"theme", "light|dark", "Look of the window (default: the desktop's)."},
+         {"headless", "",
+          "Without a display: run one move and a report of three poses, print the paths of log, "
+          "report and picture."},
+         {"output", "DIR", "Where --headless puts report and picture (default: beside the log)."},
+         {"version", "", "Show the version."}},
+        "The operator console of a six-legged parallel platform.",
+        "Esc stops the motion wherever the focus is; Help, Keys lists the other keys."};
+}
+
 ConsoleOptions parseConsoleOptions(const QStringList& words) {
-    const Arguments arguments(usage(), words);
+    const Arguments arguments(consoleUsage(), words);
     ConsoleOptions options;
     options.version = arguments.has("version");
     if (options.version) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/common/usage.h"
 #include "core/motion/limits.h"
 #include "core/record/log_options.h"
 #include "core/session/connection.h"
@@ -30,6 +31,9 @@ struct ConsoleOptions {
     std::filesystem::path output; ///< of the headless run; empty: beside the log
     bool version = false;
 };
+
+/// What the console takes.
+Usage consoleUsage();
 
 /// Throws InputError "option: what is wrong" for anything that does not fit, and HelpRequest.
 ConsoleOptions parseConsoleOptions(const QStringList& words);

@@ -8,6 +8,7 @@
 #include "app/console/end_signals.h"
 #include "app/console/exit_guard.h"
 #include "app/console/headless_job.h"
+#include "app/describe/describe.h"
 #include "core/base/input_error.h"
 #include "core/session/trial_poses.h"
 
@@ -17,6 +18,7 @@
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <memory>
 #include <unistd.h>
 #include <vector>
@@ -124,6 +126,9 @@ int runConsole(const ConsoleOptions& options, const std::vector<Pose>& trial) {
 } // namespace
 
 int main(int argc, char* argv[]) {
+    if (argc == 3 && std::strcmp(argv[1], "--describe") == 0) {
+        return printDescription({"hexapose", consoleUsage(), {}}, argv[2]);
+    }
     try {
         QStringList words;
         for (int i = 1; i < argc; ++i) {

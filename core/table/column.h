@@ -42,6 +42,9 @@ struct ColumnInfo {
 class Column {
 public:
     explicit Column(ColumnInfo info) : m_info(std::move(info)) {}
+    /// Of numbers that were worked out from other columns; the pyramid is theirs.
+    Column(ColumnInfo info, Chunked<double> numbers, MinMaxPyramid pyramid)
+        : m_info(std::move(info)), m_numbers(std::move(numbers)), m_pyramid(std::move(pyramid)) {}
 
     const ColumnInfo& info() const { return m_info; }
     bool isNumber() const { return m_info.kind == CellKind::Number; }

@@ -64,6 +64,7 @@ const std::vector<Layer>& layers() {
         {"ui/common", values, withQt},
         {"ui/plot", {"core/base"}, withQt},
         {"ui/charts", join(values, {"ui/common", "ui/plot"}), withQt},
+        {"ui/viewer", join(values, {"core/table", "ui/common", "ui/plot", "ui/charts"}), withQt},
         {"ui/report", join(values, {"ui/common", "ui/plot"}), withQt},
         {"ui/console/events", page, withQt},
         {"ui/console/status", join(page, {"ui/console/events"}), withQt},
@@ -72,9 +73,15 @@ const std::vector<Layer>& layers() {
         {"ui/console/window", join(page, console), withQt},
 
         {"app/common", wholeCore, withQt},
-        {"app/cli", join(wholeCore, {"app/common", "ui/report", "ui/plot"}), withQt},
+        {"app/describe", {"app/common"}, withQt},
+        {"app/cli", join(wholeCore, {"app/common", "app/describe", "ui/report", "ui/plot"}), withQt},
+        {"app/viewer",
+         join(values,
+              {"core/table", "app/common", "app/describe", "ui/common", "ui/plot", "ui/charts", "ui/viewer"}),
+         withQt},
         {"app/console",
-         join(join(wholeCore, console), {"app/common", "ui/common", "ui/plot", "ui/charts", "ui/report"}),
+         join(join(wholeCore, console),
+              {"app/common", "app/describe", "ui/common", "ui/plot", "ui/charts", "ui/report"}),
          withQt},
     };
     return table;

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The Hexapose authors
 # SPDX-License-Identifier: MIT
 # Installs the component `development` of a build into a scratch folder, looks through its headers, and builds and runs
-# the examples beside this file against it, with the compiler and the flags of that build.
-# Needs BUILD_DIR, CONFIG, SCRATCH, RESOURCES, GENERATOR, COMPILER; may have PREFIX_PATH, FLAGS, SANITIZE.
+# the examples that came with it, with the compiler and the flags of that build.
+# Needs BUILD_DIR, CONFIG, SCRATCH, DATADIR, GENERATOR, COMPILER; may have PREFIX_PATH, FLAGS, SANITIZE.
 set(prefix ${SCRATCH}/prefix)
 set(build ${SCRATCH}/build)
 file(REMOVE_RECURSE ${SCRATCH})
@@ -41,9 +41,9 @@ if(SANITIZE)
   string(APPEND FLAGS " -fsanitize=${SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all")
 endif()
 string(REPLACE ";" "\\;" prefix_path "${prefix};${PREFIX_PATH}") # one argument, though a list
-step("configuring" ${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${build} -G ${GENERATOR}
+step("configuring" ${CMAKE_COMMAND} -S ${prefix}/${DATADIR}/doc/hexapose/examples -B ${build} -G ${GENERATOR}
   -DCMAKE_CXX_COMPILER=${COMPILER} "-DCMAKE_CXX_FLAGS=${FLAGS}" "-DCMAKE_PREFIX_PATH=${prefix_path}"
-  -DCMAKE_DISABLE_FIND_PACKAGE_Qt6=ON -DHEXAPOSE_RESOURCES=${RESOURCES})
+  -DCMAKE_DISABLE_FIND_PACKAGE_Qt6=ON)
 file(STRINGS ${build}/CMakeCache.txt found REGEX "^hexapose_DIR:")
 string(FIND "${found}" "=${prefix}/" place)
 if(place EQUAL -1)

@@ -11,7 +11,7 @@ foreach(original IN LISTS translations)
   get_filename_component(name ${original} NAME)
   set(copy ${SCRATCH}/${name})
   configure_file(${original} ${copy} COPYONLY)
-  execute_process(COMMAND ${LUPDATE} -silent -locations none -I ${SOURCE_DIR} ${SOURCE_DIR}/ui ${SOURCE_DIR}/app/console -ts ${copy}
+  execute_process(COMMAND ${LUPDATE} -silent -locations none -I ${SOURCE_DIR} ${SOURCE_DIR}/ui ${SOURCE_DIR}/app/console ${SOURCE_DIR}/app/viewer -ts ${copy}
                   RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
   if(NOT status EQUAL 0)
     message(FATAL_ERROR "lupdate: ${said}")

@@ -16,6 +16,8 @@ namespace {
 constexpr int kPlainExponentMin = -2;
 constexpr int kPlainExponentMax = 3;
 constexpr double kTicksWanted = 4.0;
+constexpr int kPlainDigits = 6; ///< of labels that are told apart so late are plain: a power would add digits
+constexpr double kLargestStep = 1e308;
 constexpr double kRounding = 1e-9; ///< so that 40.000000001 mm is not taken for more than 40
 
 int exponentOf(double value) {
@@ -35,7 +37,10 @@ std::vector<double> multiples(double step, double low, double high) {
 void putLabels(Ticks& ticks, double step, TickLabels labels) {
     const double largest = std::max({std::abs(ticks.values.front()), std::abs(ticks.values.back()), step});
     const int exponent = exponentOf(largest * (1.0 + kRounding));
-    if (labels == TickLabels::PowerOfTen && (exponent < kPlainExponentMin || exponent > kPlainExponentMax))
+    const bool distant = exponent > kPlainExponentMax && exponent - exponentOf(step) >= kPlainDigits &&
+                         exponent < 2 * kPlainDigits;
+    if (labels == TickLabels::PowerOfTen && !distant &&
+        (exponent < kPlainExponentMin || exponent > kPlainExponentMax))
         ticks.exponent = exponent;
     const double power = std::pow(10.0, ticks.exponent);
     const int decimals = std::max(0, -exponentOf(step / power * (1.0 + kRounding)));
@@ -46,11 +51,30 @@ void putLabels(Ticks& ticks, double step, TickLabels labels) {
 } // namespace
 
 double niceStep(double atLeast) {
+    atLeast = std::min(atLeast, kLargestStep);
     const double power = std::pow(10.0, exponentOf(atLeast));
     for (const double factor : {1.0, 2.0, 5.0})
         if (factor * power * (1.0 + kRounding) >= atLeast)
             return factor * power;
     return 10.0 * power;
+}
+
+AxisRange roomyRange(const std::optional<std::pair<double, double>>& data) {
+    constexpr double kMargin = 0.05; // of the range, above and below
+    constexpr double kLeast = 1e-12; // of the values: a shorter range has no numbers to tell its ticks apart
+    constexpr double kLeastEver = 1e-300;
+    constexpr double kMost = 1.6e308;
+    if (!data)
+        return {0.0, 1.0};
+    const auto [low, high] = *data;
+    const double size = std::max(std::abs(low), std::abs(high));
+    const double half = 0.5 * high - 0.5 * low;
+    double margin = 2.0 * kMargin * half;
+    if (half < kLeast * size || half < kLeastEver)
+        margin = half > 0.0 ? std::max(kLeast * size, kLeastEver) : std::max(kMargin * size, kLeastEver);
+    if (size == 0.0)
+        margin = 1.0;
+    return {std::max(low - margin, -kMost), std::min(high + margin, kMost)};
 }
 
 AxisRange grownRange(double low, double high, const std::optional<std::pair<double, double>>& data) {
@@ -73,7 +97,8 @@ Ticks niceTicks(double low, double high, int most, TickLabels labels) {
 }
 
 Ticks niceTicks(const AxisRange& range, int most, TickLabels labels) {
-    const double densest = (range.high - range.low) / std::max(1, most);
+    const double room = std::max(1, most);
+    const double densest = range.high / room - range.low / room;     // the range itself may be no number
     double unit = range.tick > 0.0 ? range.tick : niceStep(densest); // what the labels have decimals for
     if (labels == TickLabels::Whole)
         unit = std::max(unit, 1.0);

@@ -24,6 +24,10 @@ double niceStep(double atLeast);
 /// The basic range, grown to round numbers when the data leaves it, with its ticks.
 AxisRange grownRange(double low, double high, const std::optional<std::pair<double, double>>& data);
 
+/// The data with a margin above and below, wide enough for ticks that can be told apart, whatever the
+/// numbers; 0 to 1 without data.
+AxisRange roomyRange(const std::optional<std::pair<double, double>>& data);
+
 /// The marks of one axis: round values within the range, labels of equal precision, and the power of ten that
 /// was taken out of them.
 struct Ticks {

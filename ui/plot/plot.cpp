@@ -6,8 +6,10 @@
 #include "ui/plot/plot_curve.h"
 #include "ui/plot/plot_layout.h"
 #include "ui/plot/plot_marks.h"
+#include "ui/plot/plot_times.h"
 
 #include <QFontMetricsF>
+#include <QPaintEngine>
 #include <QPolygonF>
 
 #include <algorithm>
@@ -20,6 +22,9 @@ namespace {
 constexpr double kAxisWidth = 1.0; // in units
 constexpr double kGridWidth = 0.7;
 constexpr double kCurveWidth = 1.5;
+constexpr double kFinePixel = 0.7;
+constexpr double kDenseLength =
+    6.0; ///< widths of the frame: a longer curve is drawn thin and without smoothing
 
 /// One plot on its way to paper or to the screen.
 class PlotPainter {
@@ -36,7 +41,9 @@ private:
     void paintAxes();
     void paintTitle();
     void paintSeries(const Plot::Series& series);
+    void paintReduced(const Plot::Series& series, QPen line);
     void paintLegend();
+    double legendWidth() const;
     void paintBandSwatch(QPointF left);
     double markerRadius() const;
     double gap() const { return kPlotGap * m_style.unit; }
@@ -69,7 +76,9 @@ PlotPainter::PlotPainter(QPainter& painter, const QRectF& area, const Plot& plot
 
 void PlotPainter::paint() {
     paintBand();
+    paintSpans(m_painter, m_plot, m_layout, m_style);
     paintGrid();
+    paintInstants(m_painter, m_plot, m_layout, m_style);
     for (const Plot::Series& series : m_plot.series) {
         m_painter.save();
         // A marker on the frame is shown whole; a curve ends there.
@@ -184,9 +193,12 @@ void PlotPainter::paintTitle() {
     const double left = power > 0.0 ? power + 2.0 * gap() : 0.0;
     m_painter.setFont(m_style.titleFont);
     m_painter.setPen(m_style.text);
+    const double width = m_frame.width() - left - legendWidth();
+    const QString title = QFontMetricsF(m_style.titleFont, m_painter.device())
+                              .elidedText(m_plot.title, Qt::ElideRight, std::max(0.0, width));
     m_painter.drawText(QRectF(m_frame.left() + left, m_area.top(), m_frame.width() - left,
                               m_frame.top() - m_area.top() - gap() / 2.0),
-                       Qt::AlignLeft | Qt::AlignBottom, m_plot.title);
+                       Qt::AlignLeft | Qt::AlignBottom, title);
 }
 
 double PlotPainter::markerRadius() const {
@@ -210,7 +222,10 @@ void PlotPainter::paintSeries(const Plot::Series& series) {
         if (m_style.pixel > 0.0)
             line.setJoinStyle(
                 Qt::BevelJoin); // round ones take twice the time, and none is larger than a pixel
-        paintCurve(m_painter, curvePieces(series.points, m_layout.scale, m_style.column()), line);
+        if (series.isReduced)
+            paintReduced(series, line);
+        else
+            paintCurve(m_painter, curvePieces(series.points, m_layout.scale, m_style.column()), line);
     }
     if (!marked)
         return;
@@ -218,6 +233,34 @@ void PlotPainter::paintSeries(const Plot::Series& series) {
         if (std::isfinite(point.y()))
             paintPlotMarker(m_painter, series.marker, series.colour, at(point.x(), point.y()), radius,
                             m_style);
+}
+
+/// On a screen, a pixel wide, which takes a tenth of the time of any wider line. Where a curve fills its
+/// pixels smoothing shows nothing, and costs time again.
+void PlotPainter::paintReduced(const Plot::Series& series, QPen line) {
+    const CurvePieces pieces = wholePieces(series.points, m_layout.scale);
+    const bool hasPixels = m_painter.paintEngine()->type() == QPaintEngine::Raster;
+    const double longest = kDenseLength * m_frame.width();
+    const bool isDense = hasPixels && curveLength(pieces, longest) >= longest;
+    if (isDense || m_style.pixel > 0.0)
+        line.setWidthF(0.0); // one pixel of the device
+    m_painter.setRenderHint(QPainter::Antialiasing, !isDense);
+    paintCurve(m_painter, pieces, line);
+    if (m_style.pixel > 0.0 && m_style.pixel < kFinePixel) // where pixels are small, one is too thin
+        for (const QPointF& step : {QPointF(m_style.pixel, 0.0), QPointF(0.0, m_style.pixel)}) {
+            m_painter.translate(step);
+            paintCurve(m_painter, pieces, line);
+            m_painter.translate(-step);
+        }
+    m_painter.setRenderHint(QPainter::Antialiasing);
+}
+
+double PlotPainter::legendWidth() const {
+    double width = 0.0;
+    for (const Plot::Series& series : m_plot.series)
+        if (!series.points.empty() && !series.name.isEmpty())
+            width += m_metrics.horizontalAdvance(series.name) + kSwatchWidth * m_style.unit + 3.5 * gap();
+    return width;
 }
 
 /// From the right edge of the frame to the left, above it.

@@ -3,11 +3,17 @@
 
 #include "ui/plot/plot_curve.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hexapose {
 
 namespace {
+
+constexpr double kDotWidth = 3.0;
+constexpr double kAlike = 0.2; ///< pixels between points that are one to the eye
+constexpr double kBeyond =
+    1e6; ///< pixels outside the frame, where a value far away is as good as at its place
 
 /// Takes points of the device and writes the pieces, column by column.
 class ColumnReducer {
@@ -90,6 +96,36 @@ CurvePieces curvePieces(const std::vector<QPointF>& points, const PlotScale& sca
     return pieces;
 }
 
+CurvePieces wholePieces(const std::vector<QPointF>& points, const PlotScale& scale) {
+    CurvePieces pieces;
+    bool isBroken = true;
+    const double top = scale.frame.top() - kBeyond, bottom = scale.frame.bottom() + kBeyond;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!std::isfinite(points[i].y())) {
+            isBroken = true;
+            continue;
+        }
+        QPointF at = scale.at(points[i].x(), points[i].y());
+        at.setY(std::clamp(at.y(), top, bottom));
+        const bool isLast = i + 1 == points.size() || !std::isfinite(points[i + 1].y());
+        if (isBroken)
+            pieces.emplace_back();
+        else if (!isLast && (at - pieces.back().back()).manhattanLength() < kAlike)
+            continue;
+        pieces.back() << at;
+        isBroken = false;
+    }
+    return pieces;
+}
+
+double curveLength(const CurvePieces& pieces, double most) {
+    double length = 0.0;
+    for (const QPolygonF& piece : pieces)
+        for (qsizetype i = 1; i < piece.size() && length < most; ++i)
+            length += (piece[i] - piece[i - 1]).manhattanLength();
+    return length;
+}
+
 void paintCurve(QPainter& painter, const CurvePieces& pieces, const QPen& pen) {
     painter.setBrush(Qt::NoBrush);
     for (const QPolygonF& piece : pieces) {
@@ -100,6 +136,8 @@ void paintCurve(QPainter& painter, const CurvePieces& pieces, const QPen& pen) {
         } else {
             used.setStyle(Qt::SolidLine);
             used.setCapStyle(Qt::RoundCap);
+            if (used.widthF() <= 0.0) // of a pixel, which is hard to see alone
+                used.setWidthF(kDotWidth);
             painter.setPen(used);
             painter.drawPoint(piece.front());
         }

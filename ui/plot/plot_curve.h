@@ -17,6 +17,12 @@ using CurvePieces = std::vector<QPolygonF>;
 /// points are as quick as a thousand.
 CurvePieces curvePieces(const std::vector<QPointF>& points, const PlotScale& scale, double column);
 
+/// The same, of points that are reduced already: all that can be told apart on the device.
+CurvePieces wholePieces(const std::vector<QPointF>& points, const PlotScale& scale);
+
+/// Across and down together, as far as it matters whether it is longer than that.
+double curveLength(const CurvePieces& pieces, double most);
+
 /// A single point between two gaps is a dot.
 void paintCurve(QPainter& painter, const CurvePieces& pieces, const QPen& pen);
 

@@ -40,12 +40,18 @@ Ticks xTicksFor(const Plot& plot, double width, double gap, const QFontMetricsF&
 
 QPointF PlotScale::at(double valueX, double valueY) const {
     const double right = (valueX - x.low) / (x.high - x.low);
-    const double up = (valueY - y.low) / (y.high - y.low);
+    // Halved, as the difference of two of the largest numbers is none.
+    const double up = (0.5 * valueY - 0.5 * y.low) / (0.5 * y.high - 0.5 * y.low);
     return {frame.left() + right * frame.width(), frame.bottom() - up * frame.height()};
 }
 
 double PlotScale::xAt(double position) const {
     return x.low + (position - frame.left()) / frame.width() * (x.high - x.low);
+}
+
+double PlotScale::yAt(double position) const {
+    const double up = (frame.bottom() - position) / frame.height();
+    return (1.0 - up) * y.low + up * y.high;
 }
 
 PlotLayout layOutPlot(const Plot& plot, const QRectF& area, const PlotStyle& style,
@@ -63,7 +69,7 @@ PlotLayout layOutPlot(const Plot& plot, const QRectF& area, const PlotStyle& sty
     double labels = ticks.horizontalAdvance(style.labelRoom);
     for (const QString& label : layout.yTicks.labels)
         labels = std::max(labels, ticks.horizontalAdvance(label));
-    const double left = text.height() + labels + 3.0 * gap;
+    const double left = std::max(plot.leastLeft, text.height() + labels + 3.0 * gap);
     const double width = std::max(1.0, area.width() - left - 2.0 * gap);
     layout.xTicks = xTicksFor(plot, width, gap, ticks);
 

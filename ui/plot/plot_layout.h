@@ -14,6 +14,7 @@ struct PlotScale {
 
     QPointF at(double valueX, double valueY) const;
     double xAt(double position) const; ///< the value at a position
+    double yAt(double position) const;
 };
 
 struct PlotLayout {

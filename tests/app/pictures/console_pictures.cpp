@@ -19,6 +19,8 @@
 
 #include <array>
 #include <cstdio>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace hexapose {

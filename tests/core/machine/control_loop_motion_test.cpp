@@ -102,8 +102,8 @@ public:
 TEST_F(ControlLoopMotion, AMeasuredPoseBeyondTheSingularOnesStopsTheMotionAndIsReportedAsThat) {
     OnePose solver;
     m_loop = std::make_unique<ControlLoop>(
-        m_device, m_geometry, solver, ControlOptions{}, [this](const Snapshot& s) { take(s); },
-        m_device.clock(), std::make_unique<ImmediatePlanner>(m_geometry));
+        m_device, m_model, solver, ControlOptions{}, [this](const Snapshot& s) { take(s); }, m_device.clock(),
+        std::make_unique<ImmediatePlanner>(m_model));
     startMoving();
     solver.pose.angles.gamma = radiansFromDeg(140.0);
     cycles(1);

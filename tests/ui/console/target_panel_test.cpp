@@ -1,12 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/record/motion_check_words.h"
 #include "tests/ui/console/synthetic_machine.h"
 #include "tests/ui/screen_reader.h"
 #include "ui/common/number_field.h"
-#include "ui/common/status_text.h"
 #include "ui/console/events/motion_check_text.h"
-#include "ui/console/motion/axis_range.h"
 #include "ui/console/motion/named_poses.h"
 #include "ui/console/motion/target_panel.h"
 
@@ -19,9 +16,6 @@
 #include <QTest>
 
 #include <gtest/gtest.h>
-
-#include <cmath>
-#include <limits>
 
 namespace hexapose {
 namespace {
@@ -398,107 +392,6 @@ TEST_F(TargetPlanTest, NothingIsPlannedWhileSomethingMoves) {
     EXPECT_FALSE(button("Run")->isEnabled());
     ASSERT_TRUE(isPlanned());
     EXPECT_TRUE(button("Run")->isEnabled());
-}
-
-constexpr double kRangeResolution = 2e-4; // m or rad, of the bisection
-
-MotionPlanner plannerWithin(double furthestMetres) {
-    ControlOptions options;
-    options.envelope.furthest.head<3>().setConstant(furthestMetres);
-    const SharedModel model = makeModel(laboratoryPlatform());
-    return {model, plannerSettings(options, model->geometry())};
-}
-
-Pose alongAxis(int axis, double value) {
-    PoseVector at = PoseVector::Zero();
-    at[axis] = value;
-    return Pose::fromVector(at);
-}
-
-TEST(AxisRange, EndsWhereTheFirstLimitIsMet) {
-    const MotionPlanner planner = plannerWithin(std::numeric_limits<double>::infinity());
-    for (int axis = 0; axis < 6; ++axis) {
-        const auto range = axisRange(planner, Pose{}, axis);
-        ASSERT_TRUE(range);
-        for (const double end : {range->first, range->second}) {
-            EXPECT_TRUE(planner.check(alongAxis(axis, end)).ok()) << axis;
-            const double beyond = end + std::copysign(kRangeResolution, end);
-            EXPECT_FALSE(planner.check(alongAxis(axis, beyond)).ok()) << axis;
-        }
-    }
-    EXPECT_FALSE(axisRange(planner, poseOf(0, 0, 300, 0, 0, 0), 0));
-}
-
-TEST(AxisRange, EndsAtTheEnvelope) {
-    constexpr double kFurthest = 0.005;
-    const MotionPlanner planner = plannerWithin(kFurthest);
-    for (int axis = 0; axis < 3; ++axis) {
-        const auto range = axisRange(planner, Pose{}, axis);
-        ASSERT_TRUE(range);
-        EXPECT_NEAR(range->first, -kFurthest, kRangeResolution) << axis;
-        EXPECT_NEAR(range->second, kFurthest, kRangeResolution) << axis;
-    }
-}
-
-TEST(AxisRange, EndsAtTheSingularityMargin) {
-    constexpr int kGamma = 5;
-    constexpr double kMargin = 0.05;
-    PlatformGeometry roomy = laboratoryPlatform();
-    for (Leg& leg : roomy.legs) {
-        leg.minLength *= 0.5;
-        leg.maxLength *= 2.0;
-    }
-    const MotionPlanner planner(makeModel(roomy), plannerSettings({}, roomy));
-    const auto range = axisRange(planner, Pose{}, kGamma);
-    ASSERT_TRUE(range);
-    EXPECT_NEAR(planner.model().singularity(alongAxis(kGamma, range->second)).smallestSingularValue, kMargin,
-                kRangeResolution);
-}
-
-TEST(AxisRange, OfAJogEndsWhereTheJogWould) {
-    constexpr double kMetres = 2e-4; // of the bisection
-    const MotionPlanner planner(makeModel(laboratoryPlatform()), plannerSettings({}, laboratoryPlatform()));
-    const Pose here = poseOf(3, -2, 5, 4, -3, 10);
-    for (const JogFrame frame : {JogFrame::Base, JogFrame::Platform}) {
-        for (int axis = 0; axis < 6; ++axis) {
-            const JogDirection direction{axis, axis % 2 == 0, frame};
-            const auto way = jogRange(planner, here, direction);
-            ASSERT_TRUE(way);
-            EXPECT_TRUE(planner.check(stepped(here, direction, *way)).ok()) << axis;
-            EXPECT_FALSE(planner.check(stepped(here, direction, *way + kMetres)).ok()) << axis;
-        }
-    }
-    EXPECT_FALSE(jogRange(planner, poseOf(0, 0, 300, 0, 0, 0), {}));
-}
-
-TEST(MotionCheckText, NamesLegLimitAndExcess) {
-    const MotionCheck above{MotionCheck::Reason::LegAboveMax, 3, 0.3612, 0.350, 1.0};
-    EXPECT_EQ(motionCheckText(above), "Leg 3 would be 361.2 mm, above its maximum 350 mm (by 11.2 mm)");
-    const MotionCheck below{MotionCheck::Reason::LegBelowMin, 2, 0.24999, 0.250, 1.0};
-    EXPECT_EQ(motionCheckText(below), "Leg 2 would be 249.9900 mm, below its minimum 250 mm (by 0.0100 mm)");
-    const MotionCheck path{MotionCheck::Reason::PathNearSingular, 0, 0.01, 0.05, 0.63};
-    EXPECT_TRUE(motionCheckText(path).contains(QStringLiteral("63 %")));
-    MotionCheck outside{MotionCheck::Reason::OutsideEnvelope, 0, 0.2, 0.1, 1.0, 5};
-    EXPECT_TRUE(motionCheckText(outside).startsWith(coordinateTexts()[4].symbol))
-        << motionCheckText(outside).toStdString();
-    const MotionCheck fast{MotionCheck::Reason::LegSpeed, 4, 0.09, 0.08, 0.12};
-    EXPECT_EQ(motionCheckText(fast),
-              "Leg 4 would move at 90.0 mm/s, above its limit of 80.0 mm/s, at 12 % of the path");
-    const MotionCheck aboveOnTheWay{MotionCheck::Reason::LegAboveMax, 3, 0.3612, 0.350, 0.3};
-    EXPECT_EQ(motionCheckText(*motionCheckFromWords(toWords(aboveOnTheWay))),
-              "Leg 3 would be above its maximum, at 30 % of the path");
-    for (const MotionCheck& check :
-         {above, below, path, outside, fast,
-          MotionCheck{MotionCheck::Reason::LegAcceleration, 4, 1.2, 1.0, 0.12},
-          MotionCheck{MotionCheck::Reason::WrongSideOfSingularity, 0, -0.1, 0.02, 0.5},
-          MotionCheck{MotionCheck::Reason::NearSingular, 0, 0.01, 0.05, 1.0},
-          MotionCheck{MotionCheck::Reason::OtherAssemblyMode, 0, 0, 0, 1.0},
-          MotionCheck{MotionCheck::Reason::NotFinite, 0, 0, 0, 1.0}}) {
-        // A log tells the reason without its numbers.
-        const QString text = motionCheckText(*motionCheckFromWords(toWords(check)));
-        EXPECT_FALSE(text.isEmpty());
-        EXPECT_FALSE(text.contains(QStringLiteral("nan"))) << text.toStdString();
-    }
 }
 
 } // namespace

@@ -30,7 +30,8 @@ QString withPayload(const QString& cause, const Event& event) {
 /// What has to come before a command that the machine does not allow now.
 QString refusalAdvice(const CommandRefusal& refusal) {
     if (!refusal.allowed) {
-        return EventWords::tr("Nothing has changed.");
+        return refusal.command == Command::Resume ? EventWords::tr("There is nothing to resume.")
+                                                  : EventWords::tr("Nothing has changed.");
     }
     const CommandSet& allowed = *refusal.allowed;
     const bool needsDrives = refusal.command == Command::Jog;

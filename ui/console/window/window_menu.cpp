@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/console/window/window_menu.h"
 
-#include "ui/common/language.h"
+#include "ui/common/look_menu.h"
 
 #include <QAction>
-#include <QActionGroup>
 #include <QEvent>
 #include <QMainWindow>
 #include <QMenu>
@@ -20,26 +19,10 @@ WindowMenu::WindowMenu(QMainWindow& window, const QString& language, ThemeKind t
     m_quit = m_file->addAction(QString(), &window, &QWidget::close);
     m_quit->setShortcut(QKeySequence::Quit);
     m_view = window.menuBar()->addMenu(QString());
-    m_languages = m_view->addMenu(QString());
-    auto* languageGroup = new QActionGroup(this);
-    for (const Language& one : languages()) {
-        QAction* action = m_languages->addAction(one.name); // each language is named in itself
-        action->setCheckable(true);
-        action->setChecked(one.code == language);
-        languageGroup->addAction(action);
-        connect(action, &QAction::triggered, this, [this, code = one.code] { emit languageChosen(code); });
-    }
-    m_themes = m_view->addMenu(QString());
-    auto* themeGroup = new QActionGroup(this);
-    m_light = m_themes->addAction(QString());
-    m_dark = m_themes->addAction(QString());
-    for (QAction* action : {m_light, m_dark}) {
-        action->setCheckable(true);
-        themeGroup->addAction(action);
-    }
-    (theme == ThemeKind::Dark ? m_dark : m_light)->setChecked(true);
-    connect(m_light, &QAction::triggered, this, [this] { emit themeChosen(ThemeKind::Light); });
-    connect(m_dark, &QAction::triggered, this, [this] { emit themeChosen(ThemeKind::Dark); });
+    auto* look = new LookMenu(language, theme, this);
+    look->addTo(*m_view);
+    connect(look, &LookMenu::languageChosen, this, &WindowMenu::languageChosen);
+    connect(look, &LookMenu::themeChosen, this, &WindowMenu::themeChosen);
     m_help = window.menuBar()->addMenu(QString());
     m_keys = m_help->addAction(QString(), this, &WindowMenu::showKeys);
     window.installEventFilter(this);
@@ -72,10 +55,6 @@ void WindowMenu::retranslate() {
     m_file->setTitle(tr("&File"));
     m_quit->setText(tr("&Quit"));
     m_view->setTitle(tr("&View"));
-    m_languages->setTitle(tr("&Language"));
-    m_themes->setTitle(tr("&Theme"));
-    m_light->setText(tr("&Light"));
-    m_dark->setText(tr("&Dark"));
     m_help->setTitle(tr("&Help"));
     m_keys->setText(tr("&Keys..."));
 }

@@ -33,11 +33,7 @@ private:
 
     QMenu* m_file;
     QMenu* m_view;
-    QMenu* m_languages;
-    QMenu* m_themes;
     QAction* m_quit;
-    QAction* m_light;
-    QAction* m_dark;
     QMenu* m_help;
     QAction* m_keys;
 };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Hexapose authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "app/cli/table_problems.h"
+#include "app/common/table_problems.h"
 
 #include <cstdio>
 
