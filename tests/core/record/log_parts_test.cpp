@@ -70,7 +70,7 @@ protected:
         return names;
     }
     static LogOptions partsOf(std::uint64_t bytes) {
-        LogOptions options;
+        LogOptions options = ofAnyDisk();
         options.partBytes = bytes;
         return options;
     }
@@ -145,7 +145,7 @@ TEST_F(LogPartsTest, NamesThatAreTakenAreLeftAlone) {
 
 TEST_F(LogPartsTest, ADeletedFileIsWrittenAgainWhole) {
     {
-        LogWriter writer(file, metadata);
+        LogWriter writer(file, metadata, ofAnyDisk());
         append(writer, 1000);
         ASSERT_TRUE(holdsRows(file, 1000));
         fs::remove(file);
@@ -177,7 +177,7 @@ TEST_F(LogPartsTest, ADirectoryThatWasDeletedIsMadeAgain) {
     const fs::path deep = scratch / "logs";
     fs::create_directory(deep);
     {
-        LogWriter writer(deep / "run.csv", metadata);
+        LogWriter writer(deep / "run.csv", metadata, ofAnyDisk());
         append(writer, 100);
         ASSERT_TRUE(holdsRows(deep / "run.csv", 100));
         fs::remove_all(deep);
@@ -188,7 +188,7 @@ TEST_F(LogPartsTest, ADirectoryThatWasDeletedIsMadeAgain) {
 
 TEST_F(LogPartsTest, AFileThatWasMovedKeepsItsRows) {
     {
-        LogWriter writer(file, metadata);
+        LogWriter writer(file, metadata, ofAnyDisk());
         append(writer, 100);
         ASSERT_TRUE(holdsRows(file, 100));
         fs::rename(file, scratch / "run-moved.csv");
@@ -205,7 +205,7 @@ TEST_F(LogPartsTest, AFileThatWasMovedKeepsItsRows) {
 
 TEST_F(LogPartsTest, AFileThatWasReplacedIsWrittenAgainWhole) {
     {
-        LogWriter writer(file, metadata);
+        LogWriter writer(file, metadata, ofAnyDisk());
         append(writer, 100);
         ASSERT_TRUE(holdsRows(file, 100));
         fs::rename(scratch.write("other.csv", "another's"), file); // as an editor saves
@@ -218,7 +218,7 @@ TEST_F(LogPartsTest, AFileThatWasReplacedIsWrittenAgainWhole) {
 
 TEST_F(LogPartsTest, ALogThatWasCutGoesOnInAnother) {
     {
-        LogWriter writer(file, metadata);
+        LogWriter writer(file, metadata, ofAnyDisk());
         append(writer, 100);
         ASSERT_TRUE(holdsRows(file, 100));
         fs::resize_file(file, 0);

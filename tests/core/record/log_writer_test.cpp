@@ -169,7 +169,7 @@ void fillTheDisk(const std::filesystem::path& file, const LogMetadata& metadata)
     std::uint64_t taken = 0;
     std::uint64_t lost = 0;
     {
-        LogWriter writer(file, metadata);
+        LogWriter writer(file, metadata, ofAnyDisk());
         setrlimit(RLIMIT_FSIZE, &small);
         const bool failed = comesTrue([&] {
             writer.append(fullSnapshot(i++));

@@ -5,6 +5,7 @@
 #include "core/base/units.h"
 #include "core/geometry/geometry_file.h"
 #include "core/record/log_metadata.h"
+#include "core/record/log_options.h"
 #include "core/record/snapshot.h"
 
 #include <gtest/gtest.h>
@@ -75,6 +76,13 @@ bool comesTrue(Condition condition) {
         std::this_thread::yield();
     }
     return true;
+}
+
+/// Of a log whose disk is never reported as getting full, as that of a machine that runs tests may be.
+inline LogOptions ofAnyDisk() {
+    LogOptions options;
+    options.freeSpace = [](const std::filesystem::path&) { return std::nullopt; };
+    return options;
 }
 
 inline LogMetadata sampleMetadata() {
