@@ -689,6 +689,30 @@ FSI：以小步沿支腿路径跟踪
         <source>internal error &quot;%1&quot;</source>
         <translation>内部错误“%1”</translation>
     </message>
+    <message>
+        <source>Leave the log in its place until you disconnect.</source>
+        <translation>断开之前请勿移动或删除日志文件。</translation>
+    </message>
+    <message>
+        <source>The log was deleted; all of it is in %1 now</source>
+        <translation>日志文件已被删除；全部内容已重新写入 %1</translation>
+    </message>
+    <message>
+        <source>The log was moved or replaced; it goes on in %1</source>
+        <translation>日志文件已被移动或替换；后续内容写入 %1</translation>
+    </message>
+    <message>
+        <source>The log goes on in %1</source>
+        <translation>日志后续内容写入 %1</translation>
+    </message>
+    <message>
+        <source>Little space is left for the log</source>
+        <translation>日志的剩余磁盘空间不足</translation>
+    </message>
+    <message>
+        <source>Free space on the disk.</source>
+        <translation>请释放磁盘空间。</translation>
+    </message>
 </context>
 <context>
     <name>hexapose::GuidedTestPanel</name>
@@ -1515,6 +1539,14 @@ FSI：以小步沿支腿路径跟踪
     <message>
         <source>Unknown state</source>
         <translation>未知状态</translation>
+    </message>
+    <message>
+        <source>%1 GB, enough for %2 min</source>
+        <translation>%1 GB，可记录 %2 分钟</translation>
+    </message>
+    <message>
+        <source>%1 GB</source>
+        <translation>%1 GB</translation>
     </message>
 </context>
 <context>

@@ -140,24 +140,27 @@ std::optional<SweepSettings> sweepOf(const Arguments& arguments) {
 } // namespace
 
 Usage runUsage() {
-    return {"hexapose-cli run",
-            {},
-            withSolverOptions(
-                {{"port", "PATH|virtual", "Serial port, or the built-in virtual platform."},
-                 {"baud", "N", "Baud rate (default: 115200)."},
-                 {"targets", "POSES.csv", "Poses to visit, in order."},
-                 {"sweep", "AXIS,A,F0,F1,T",
-                  "In place of targets: a sine about the present pose, of A mm or deg, from F0 to F1 Hz in T "
-                  "s."},
-                 {"mode", "joint|workspace", "Leg by leg, or closed on the pose (default: joint)."},
-                 {"speed", "PERCENT", "Speed override, in percent of full speed (default: 100)."},
-                 {"envelope-mm", "E",
-                  "Refuse moves further than E mm from home along x, y or z (default: no limit)."},
-                 {"envelope-deg", "E",
-                  "Refuse moves further than E degrees in alpha, beta or gamma (default: no limit)."},
-                 {"log", "LOG.csv", "The log to write; never one that exists."},
-                 {"report", "DIR", "Write the error report into this directory."},
-                 {"clear", "", "Clear a stop or fault of the controller first."}})};
+    return {
+        "hexapose-cli run",
+        {},
+        withSolverOptions(
+            {{"port", "PATH|virtual", "Serial port, or the built-in virtual platform."},
+             {"baud", "N", "Baud rate (default: 115200)."},
+             {"targets", "POSES.csv", "Poses to visit, in order."},
+             {"sweep", "AXIS,A,F0,F1,T",
+              "In place of targets: a sine about the present pose, of A mm or deg, from F0 to F1 Hz in T "
+              "s."},
+             {"mode", "joint|workspace", "Leg by leg, or closed on the pose (default: joint)."},
+             {"speed", "PERCENT", "Speed override, in percent of full speed (default: 100)."},
+             {"envelope-mm", "E",
+              "Refuse moves further than E mm from home along x, y or z (default: no limit)."},
+             {"envelope-deg", "E",
+              "Refuse moves further than E degrees in alpha, beta or gamma (default: no limit)."},
+             {"log", "LOG.csv", "The log to write; never one that exists."},
+             {"log-part-mb", "N", "Begin another file, LOG-2.csv, after N MB of the log (default: 1000)."},
+             {"log-gzip", "", "Compress each of these files but the last: LOG.csv.gz."},
+             {"report", "DIR", "Write the error report into this directory."},
+             {"clear", "", "Clear a stop or fault of the controller first."}})};
 }
 
 int runCommand(const Arguments& arguments) {
@@ -198,6 +201,7 @@ int runCommand(const Arguments& arguments) {
     setup.modelFingerprint = chosen.modelFingerprint;
     setup.programVersion = HEXAPOSE_VERSION;
     setup.control = control;
+    setup.log = arguments.logOptions();
     catchInterrupts(); // before the loop's thread can enable anything
     Session session(setup, [&platform](const ConnectionSpec& where) { return makeDevice(where, platform); });
     session.open(connection, logFile);

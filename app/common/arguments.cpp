@@ -9,6 +9,7 @@
 #include "core/base/units.h"
 #include "core/geometry/geometry_file.h"
 #include "core/session/connection.h"
+#include "core/table/gzip_file.h"
 
 #include <QCommandLineOption>
 
@@ -172,6 +173,18 @@ PoseEnvelope Arguments::envelope() const {
     if (has("envelope-deg"))
         envelope.furthest.tail<3>().setConstant(radiansFromDeg(requiredPositive("envelope-deg")));
     return envelope;
+}
+
+LogOptions Arguments::logOptions() const {
+    constexpr std::int64_t kBytes = 1'000'000; // of a megabyte
+    constexpr std::int64_t kMost = 1'000'000;
+    LogOptions options;
+    options.partBytes = static_cast<std::uint64_t>(
+        kBytes *
+        integer("log-part-mb", static_cast<std::int64_t>(LogOptions::kPartBytes) / kBytes, 1, kMost));
+    if (has("log-gzip"))
+        options.compress = gzipFile;
+    return options;
 }
 
 } // namespace hexapose

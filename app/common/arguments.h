@@ -5,6 +5,7 @@
 #include "app/common/usage.h"
 #include "core/geometry/platform_geometry.h"
 #include "core/motion/limits.h"
+#include "core/record/log_options.h"
 
 #include <QCommandLineParser>
 #include <QString>
@@ -49,6 +50,8 @@ public:
     int baud() const;
     /// Of --envelope-mm and --envelope-deg.
     PoseEnvelope envelope() const;
+    /// Of --log-part-mb and --log-gzip.
+    LogOptions logOptions() const;
 
 private:
     void refuseMisfits(const Usage& usage, bool parsed) const;

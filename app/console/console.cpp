@@ -145,6 +145,7 @@ void Console::openSession(const ReadySolver& solver) {
     setup.programVersion = HEXAPOSE_VERSION;
     setup.logDirectory = m_options.logDirectory;
     setup.control.envelope = m_options.envelope;
+    setup.log = m_options.log;
     m_window->setSession(
         std::make_unique<Session>(setup, [platform = m_platform](const ConnectionSpec& connection) {
             return makeDevice(connection, platform->geometry());

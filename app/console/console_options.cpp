@@ -64,6 +64,8 @@ Usage consoleUsage() {
          {"envelope-mm", "E", "Refuse moves further than E mm from home along x, y or z."},
          {"envelope-deg", "E", "Refuse moves further than E degrees in alpha, beta or gamma."},
          {"log-dir", "DIR", "Where the logs go."},
+         {"log-part-mb", "N", "Begin another file after N MB of a log (default: 1000)."},
+         {"log-gzip", "", "Compress the files of a log but the last."},
          {"language", "CODE", "en or zh_CN (default: the desktop's).", languageCodes()},
          {"theme", "light|dark", "Look of the window (default: the desktop's)."},
          {"headless", "",
@@ -86,6 +88,7 @@ ConsoleOptions parseConsoleOptions(const QStringList& words) {
     options.method = arguments.choice("method", {kSolverChoices.begin(), kSolverChoices.end()}, "");
     options.envelope = arguments.envelope();
     options.logDirectory = arguments.text("log-dir", "");
+    options.log = arguments.logOptions();
     options.language = languageOf(arguments);
     options.theme = themeFromWord(arguments.choice("theme", {"light", "dark"}, ""));
     options.headless = arguments.has("headless");

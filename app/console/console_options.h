@@ -4,6 +4,7 @@
 
 #include "app/common/usage.h"
 #include "core/motion/limits.h"
+#include "core/record/log_options.h"
 #include "core/session/connection.h"
 #include "ui/common/theme.h"
 
@@ -23,7 +24,8 @@ struct ConsoleOptions {
     std::string method;                 ///< of kSolverChoices; empty: remembered, or the first of them
     PoseEnvelope envelope;              ///< no further from home
     std::filesystem::path logDirectory; ///< empty: the usual one
-    QString language;                   ///< empty: remembered, or the desktop's
+    LogOptions log;
+    QString language; ///< empty: remembered, or the desktop's
     std::optional<ThemeKind> theme;
     bool headless = false;
     std::filesystem::path output; ///< of the headless run; empty: beside the log

@@ -30,7 +30,11 @@ struct DeviceFeedback {
     /// Of the last measurement ever. Where it is not set the loop takes every measurement for stale, and
     /// nothing moves.
     std::chrono::steady_clock::time_point receivedAt{};
-    std::chrono::microseconds controllerTime{0}; ///< the controller's clock at that measurement
+    /// The controller's clock at that measurement; empty where it has none.
+    std::optional<std::chrono::microseconds> controllerTime;
+    /// From the sending of a set-point to the measurement of this read, the first that confirms it; the wait
+    /// for that measurement included.
+    std::optional<std::chrono::nanoseconds> roundTrip;
     LinkState link = LinkState::Connecting;
     ControllerState state = ControllerState::Unknown; ///< as of the last measurement
     bool protectedLink = false;                       ///< lengths came in checked frames

@@ -58,6 +58,7 @@ const DeviceFeedback& ReconnectingDevice::read() {
     Impl& impl = *m_impl;
     impl.last.notices.clear();
     impl.last.lengths.reset();
+    impl.last.roundTrip.reset();
     impl.last.link = LinkState::Lost;
     if (!impl.device && Impl::Clock::now() >= impl.nextTry)
         impl.open();

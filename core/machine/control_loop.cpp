@@ -97,6 +97,11 @@ Snapshot ControlLoop::Impl::snapshot() {
     s.fresh = feedback.lengths.has_value();
     s.stale = link.monitor().stale();
     s.age = link.monitor().age();
+    if (s.fresh) {
+        s.controllerTime = feedback.controllerTime;
+        s.roundTrip = feedback.roundTrip;
+        s.jitter = link.monitor().jitter();
+    }
     s.measuredLengths = estimate.lengths();
     s.commandedLengths = motion.setPoint();
     s.targetPose = targetPose;

@@ -12,8 +12,11 @@ constexpr std::chrono::seconds kRateWindow{1};
 } // namespace
 
 void FeedbackMonitor::update(const DeviceFeedback& feedback, Clock::time_point now) {
+    m_jitter.reset();
     if (feedback.lengths) {
-        m_ever = true;
+        if (m_continues && feedback.period > std::chrono::milliseconds(0))
+            m_jitter = feedback.receivedAt - m_last - feedback.period;
+        m_ever = m_continues = true;
         m_last = feedback.receivedAt;
         m_recent.push_back(feedback.receivedAt);
     }
@@ -35,6 +38,7 @@ double FeedbackMonitor::rateHz() const {
 void FeedbackMonitor::forget() {
     m_recent.clear();
     m_stale = true;
+    m_continues = false;
 }
 
 } // namespace hexapose

@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <deque>
+#include <optional>
 
 namespace hexapose {
 
@@ -21,6 +22,9 @@ public:
     bool stale() const { return m_stale; }
     std::chrono::nanoseconds age() const { return m_age; }
     double rateHz() const;
+    /// How much later than the feedback period after the one before the measurement of this update came;
+    /// empty without one, after a gap in the connection, and while the period is not known.
+    std::optional<std::chrono::nanoseconds> jitter() const { return m_jitter; }
     /// The port was closed or lost: what was measured before counts no more.
     void forget();
 
@@ -29,6 +33,8 @@ private:
     std::deque<Clock::time_point> m_recent; ///< of the last second
     Clock::time_point m_last{};
     std::chrono::nanoseconds m_age{0};
+    std::optional<std::chrono::nanoseconds> m_jitter;
+    bool m_continues = false; ///< nothing has happened to the connection since the last measurement
     bool m_ever = false;
     bool m_stale = true;
 };

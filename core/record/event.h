@@ -58,6 +58,8 @@ enum class EventCode {
     JogStarted,
     JogLimited,    ///< a jog came to rest before a limit [MotionCheck]
     SolverChanged, ///< from this cycle on [SolverChoice]
+    LogSpaceLow,   ///< the log is being written, but not for long [LogSpace]
+    LogContinued,  ///< the log goes on in another file [LogContinuation]
 };
 
 /// Text that is not ours: a controller's name or words, an error of the system. Shown as it is.
@@ -123,10 +125,29 @@ struct LogFailure {
     bool operator==(const LogFailure&) const = default;
 };
 
-using EventData =
-    std::variant<std::monostate, double, DeviceText, PortFailure, MotionCheck, MotionInhibit, SweepFault,
-                 Command, ControllerState, SolveStatus, DeviceRefusal, DeviceRequest, CommandRefusal,
-                 FollowingError, PreparationFailure, ControllerIdentity, SolverChoice, LogFailure>;
+/// What is left for the log.
+struct LogSpace {
+    std::uint64_t freeBytes = 0;
+    std::optional<double> secondsLeft; ///< at the present rate; empty while that is not known
+    bool operator==(const LogSpace&) const = default;
+};
+
+/// Another file of the log, and why.
+struct LogContinuation {
+    enum class Cause {
+        Full,    ///< the file before it has its size
+        Deleted, ///< the file before it was deleted; all of it is in this one
+        Moved,   ///< the file before it was moved away, replaced or cut by somebody else
+    };
+    Cause cause = Cause::Full;
+    std::string file; ///< its name, without the directory
+    bool operator==(const LogContinuation&) const = default;
+};
+
+using EventData = std::variant<std::monostate, double, DeviceText, PortFailure, MotionCheck, MotionInhibit,
+                               SweepFault, Command, ControllerState, SolveStatus, DeviceRefusal,
+                               DeviceRequest, CommandRefusal, FollowingError, PreparationFailure,
+                               ControllerIdentity, SolverChoice, LogFailure, LogSpace, LogContinuation>;
 
 /// Something that happened, as values: the log has its words in event_codec.h, the screen has its own.
 struct Event {

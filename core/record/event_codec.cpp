@@ -21,7 +21,7 @@ struct EventWord {
     Form form = Form::None;
 };
 
-constexpr std::array<EventWord, 37> kEventWords{{
+constexpr std::array<EventWord, 39> kEventWords{{
     {EventCode::Connected, "connected", Form::Text},
     {EventCode::ListenOnly, "listen-only"},
     {EventCode::LinkLost, "link-lost", Form::Port},
@@ -59,13 +59,15 @@ constexpr std::array<EventWord, 37> kEventWords{{
     {EventCode::JogStarted, "jog-started"},
     {EventCode::JogLimited, "jog-limited", Form::MotionCheck},
     {EventCode::SolverChanged, "solver-changed", Form::Solver},
+    {EventCode::LogSpaceLow, "log-space-low", Form::LogSpace},
+    {EventCode::LogContinued, "log-continued", Form::LogContinuation},
 }};
 // One word for every code, in the order of the codes: a code without its word does not compile.
 static_assert([] {
     for (std::size_t i = 0; i < kEventWords.size(); ++i)
         if (static_cast<std::size_t>(kEventWords[i].code) != i)
             return false;
-    return static_cast<std::size_t>(EventCode::SolverChanged) + 1 == kEventWords.size();
+    return static_cast<std::size_t>(EventCode::LogContinued) + 1 == kEventWords.size();
 }());
 
 constexpr std::string_view kSeparator = "; ";

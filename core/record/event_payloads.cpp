@@ -9,6 +9,7 @@
 #include "core/record/motion_check_words.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace hexapose::payload {
 
@@ -17,6 +18,11 @@ namespace {
 constexpr std::string_view kStaleData = "stale data";
 constexpr std::string_view kNotAnswered = " was not answered";
 constexpr std::string_view kRowsLost = " rows lost";
+constexpr std::string_view kGigabytes = " GB";
+constexpr std::string_view kMinutes = " min";
+constexpr std::string_view kDeleted = ": the file before it was deleted";
+constexpr std::string_view kMoved = ": the file before it was moved or replaced";
+constexpr double kBytesInGigabyte = 1e9;
 constexpr std::string_view kIn = " in ";
 constexpr std::string_view kOff = " off by ";
 constexpr std::string_view kOffPath = " off the path by ";
@@ -95,6 +101,21 @@ std::string words(const SolverChoice& choice) {
 }
 std::string words(const LogFailure& failure) {
     return failure.system.empty() ? std::to_string(failure.rowsLost).append(kRowsLost) : failure.system;
+}
+
+std::string words(const LogSpace& space) {
+    std::string text = formatFixed(static_cast<double>(space.freeBytes) / kBytesInGigabyte, 2);
+    text.append(kGigabytes);
+    if (space.secondsLeft)
+        text.append(kComma).append(formatFixed(*space.secondsLeft / 60.0, 0)).append(kMinutes);
+    return text;
+}
+std::string words(const LogContinuation& continuation) {
+    using Cause = LogContinuation::Cause;
+    std::string text = continuation.file;
+    if (continuation.cause != Cause::Full)
+        text.append(continuation.cause == Cause::Deleted ? kDeleted : kMoved);
+    return text;
 }
 
 // ---------------------------------------------------------------- and back
@@ -198,10 +219,37 @@ SolverChoice solver(std::string_view text) {
 
 std::optional<LogFailure> logFailure(std::string_view text) {
     std::string_view number = text;
-    const auto count = takeEnd(number, kRowsLost) ? parseInteger(number) : std::nullopt;
+    if (!takeEnd(number, kRowsLost))
+        return LogFailure{0, std::string(text)};
+    const auto count = parseInteger(number);
     if (!count || *count < 0)
         return std::nullopt;
     return LogFailure{static_cast<std::uint64_t>(*count), {}};
+}
+
+std::optional<LogSpace> logSpace(std::string_view text) {
+    const std::optional<std::string_view> number = takeUpTo(text, kGigabytes);
+    const std::optional<double> free = number ? parseNumber(*number) : std::nullopt;
+    if (!free || !(*free >= 0.0 && *free < kBytesInGigabyte))
+        return std::nullopt;
+    LogSpace space{static_cast<std::uint64_t>(std::llround(*free * kBytesInGigabyte)), {}};
+    if (text.empty())
+        return space;
+    if (!text.starts_with(kComma) || !takeEnd(text, kMinutes))
+        return std::nullopt;
+    const std::optional<double> minutes = parseNumber(text.substr(kComma.size()));
+    if (!minutes)
+        return std::nullopt;
+    space.secondsLeft = 60.0 * *minutes;
+    return space;
+}
+
+LogContinuation logContinuation(std::string_view text) {
+    using Cause = LogContinuation::Cause;
+    const Cause cause = takeEnd(text, kDeleted) ? Cause::Deleted
+                        : takeEnd(text, kMoved) ? Cause::Moved
+                                                : Cause::Full;
+    return {cause, std::string(text)};
 }
 
 EventData moveRefusal(std::string_view text) {
@@ -262,6 +310,10 @@ EventData fromWords(Form form, std::string_view text) {
         return solver(text);
     case Form::LogFailure:
         return orText(logFailure(text), text);
+    case Form::LogSpace:
+        return orText(logSpace(text), text);
+    case Form::LogContinuation:
+        return logContinuation(text);
     }
     return DeviceText{std::string(text)};
 }

@@ -29,6 +29,8 @@ enum class Form {
     Identity,
     Solver,
     LogFailure,
+    LogSpace,
+    LogContinuation,
 };
 
 std::string toWords(const EventData& data);

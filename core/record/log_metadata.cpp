@@ -40,6 +40,8 @@ std::string underPlatform(const std::string& platformToml) {
 
 std::filesystem::path logMetadataFile(const std::filesystem::path& csvFile) {
     std::filesystem::path file = csvFile;
+    if (file.extension() == ".gz")
+        file.replace_extension();
     return file.replace_extension(".toml");
 }
 
@@ -51,6 +53,10 @@ std::string formatLogMetadata(const LogMetadata& metadata, std::chrono::system_c
     add("program", "hexapose");
     add("program_version", metadata.programVersion);
     text += "start_time = " + formatUtc(start) + '\n';
+    if (metadata.part > 1) {
+        text += "part = " + std::to_string(metadata.part) + '\n';
+        add("first_part", metadata.firstPart);
+    }
     add("port", metadata.port);
     add("solver", metadata.solver);
     add("model_fingerprint", metadata.modelFingerprint);

@@ -17,10 +17,12 @@ struct LogMetadata {
     std::string modelFingerprint; ///< empty: no model
     std::string solver;           ///< method word
     std::string programVersion;
-    std::string port; ///< "virtual" or a path
+    std::string port;      ///< "virtual" or a path
+    int part = 1;          ///< of the log
+    std::string firstPart; ///< its file name; of the others
 };
 
-/// The file beside a log that records what it belongs to: run.csv -> run.toml.
+/// The file beside a log that records what it belongs to: run.csv -> run.toml, and run.csv.gz -> run.toml.
 std::filesystem::path logMetadataFile(const std::filesystem::path& csvFile);
 /// Its text; the platform stands under [platform] as in a platform file.
 std::string formatLogMetadata(const LogMetadata& metadata, std::chrono::system_clock::time_point start);

@@ -5,9 +5,15 @@
 
 #include "core/base/append_file.h"
 #include "core/base/input_error.h"
+#include "core/record/disk_watch.h"
+#include "core/record/event_codec.h"
 #include "core/record/log_columns.h"
+#include "core/record/log_parts.h"
+#include "core/record/part_compressor.h"
+#include "core/record/row_choice.h"
 
 #include <algorithm>
+#include <atomic>
 #include <condition_variable>
 #include <mutex>
 #include <thread>
@@ -20,7 +26,6 @@ namespace {
 
 /// Half of the promised 100 ms: the other half is for the system to let the thread run.
 constexpr std::chrono::milliseconds kFlushInterval{50};
-constexpr std::chrono::nanoseconds kQuietRowInterval = std::chrono::milliseconds(100);
 /// 40 s at 100 Hz; memory is taken once.
 constexpr std::size_t kQueueRows = 4096;
 constexpr std::size_t kFaultCycles = 500; ///< kept from before a fault
@@ -31,23 +36,25 @@ using SnapshotPtr = std::shared_ptr<const Snapshot>;
 } // namespace
 
 struct LogWriter::Impl {
-    Impl(const std::filesystem::path& csvFile, const LogMetadata& metadata);
+    Impl(const std::filesystem::path& csvFile, const LogMetadata& metadata, LogOptions theOptions);
     ~Impl();
 
     void finish();
-    bool becomesRow(const Snapshot& snapshot);
+    bool enqueue(const SnapshotPtr& snapshot);
     void run(const std::stop_token& stop);
     void format();
     bool write();
+    void tell(Event event);
+    void tellOfParts();
+    void watchDisk();
     void remember(const SnapshotPtr& snapshot);
     void writeFaults();
 
-    std::filesystem::path path;
-    AppendFile out;
+    const std::filesystem::path path;
+    const LogOptions options;
 
     // The loop's side.
-    std::optional<RunState> lastState;
-    std::chrono::nanoseconds lastRowTime{0};
+    RowChoice choice;
     std::vector<SnapshotPtr> recent; ///< a ring; memory is taken once
     std::size_t nextRecent = 0;
     int faultsSeen = 0;
@@ -56,38 +63,34 @@ struct LogWriter::Impl {
     mutable std::mutex mutex;
     std::condition_variable_any wake;
     std::vector<SnapshotPtr> queue;
+    bool isUrgent = false; ///< rows are so few that the last one should not wait for another
     std::uint64_t taken = 0;
     std::uint64_t lost = 0;
     std::uint64_t lostUnreported = 0; ///< since the last row that counts it
     std::string writeFailure;
     std::string faultFailure;
+    std::filesystem::path file;
+    std::vector<Event> events; ///< to be told
+    std::atomic<bool> hasEvents = false;
     std::vector<std::vector<SnapshotPtr>> faults; ///< to be written, each from the oldest cycle on
 
     // The writer's side.
     int faultFiles = 0;
     std::vector<SnapshotPtr> batch;
-    std::string text; ///< formatted and not yet written
-    std::size_t textDone = 0;
+    std::string row;
+    LogParts parts;
+    PartCompressor compressor;
+    DiskWatch disk;
+    std::chrono::steady_clock::time_point nextLook{}; ///< at the disk
+    bool failing = false;
 
     std::jthread thread;
 };
 
-LogWriter::Impl::Impl(const std::filesystem::path& csvFile, const LogMetadata& metadata)
-    : path(csvFile), out(csvFile) {
-    try {
-        writeNewFile(logMetadataFile(csvFile), formatLogMetadata(metadata, std::chrono::system_clock::now()));
-        std::error_code error;
-        out.append(logHeader(), error);
-        if (error) {
-            std::error_code ignored;
-            std::filesystem::remove(logMetadataFile(csvFile), ignored);
-            throw InputError(path.string(), "cannot be written: " + error.message());
-        }
-    } catch (const InputError&) {
-        std::error_code ignored;
-        std::filesystem::remove(csvFile, ignored);
-        throw;
-    }
+LogWriter::Impl::Impl(const std::filesystem::path& csvFile, const LogMetadata& metadata,
+                      LogOptions theOptions)
+    : path(csvFile), options(std::move(theOptions)), file(csvFile),
+      parts(csvFile, metadata, options.partBytes), compressor(options.compress) {
     recent.reserve(kFaultCycles);
     queue.reserve(kQueueRows);
     batch.reserve(kQueueRows);
@@ -105,14 +108,16 @@ void LogWriter::Impl::finish() {
     thread.join();
 }
 
-bool LogWriter::Impl::becomesRow(const Snapshot& snapshot) {
-    const bool row = snapshot.fresh || !snapshot.events.empty() || lastState != snapshot.state ||
-                     snapshot.time - lastRowTime >= kQuietRowInterval;
-    if (row) {
-        lastState = snapshot.state;
-        lastRowTime = snapshot.time;
+/// Whether the writer should be woken.
+bool LogWriter::Impl::enqueue(const SnapshotPtr& snapshot) {
+    if (queue.size() == kQueueRows) {
+        ++lost;
+        ++lostUnreported;
+        return false;
     }
-    return row;
+    queue.push_back(snapshot);
+    ++taken;
+    return queue.size() == kQueueRows / 2;
 }
 
 void LogWriter::Impl::run(const std::stop_token& stop) {
@@ -120,18 +125,26 @@ void LogWriter::Impl::run(const std::stop_token& stop) {
         {
             std::unique_lock lock(mutex);
             // While writing fails a full queue is no reason to write early.
-            const bool writeEarly = text.empty();
+            const bool writeEarly = !parts.hasUnwritten();
             wake.wait_for(lock, stop, kFlushInterval,
-                          [&] { return writeEarly && queue.size() >= kQueueRows / 2; });
+                          [&] { return writeEarly && (isUrgent || queue.size() >= kQueueRows / 2); });
+            isUrgent = false;
             last = stop.stop_requested();
         }
         writeFaults();
+        watchDisk();
+        parts.checkPlace([this] { format(); });
         // What is left from a failed attempt first, then what has come since.
-        if (!write())
-            continue;
-        format();
-        write();
+        if (write()) {
+            format();
+            write();
+        }
+        if (last) { // taken away since: nobody looks after this
+            parts.checkPlace([] {});
+            write();
+        }
     }
+    compressor.finish();
 }
 
 /// Every cycle, on the loop's side; a fault hands all that is remembered over to the writer.
@@ -194,49 +207,88 @@ void LogWriter::Impl::format() {
         last->events.push_back({EventCode::LogFailed, LogFailure{untold, {}}});
         batch.back() = std::move(last);
     }
-    for (const SnapshotPtr& snapshot : batch)
-        appendLogRow(*snapshot, text);
+    for (const SnapshotPtr& snapshot : batch) {
+        for (const Event& event : snapshot->events)
+            if (const auto* solver = event.get<SolverChoice>())
+                parts.setSolver(*solver);
+        row.clear();
+        appendLogRow(*snapshot, row);
+        parts.add(row);
+    }
     batch.clear();
 }
 
 /// False while bytes are left that the system did not take.
 bool LogWriter::Impl::write() {
-    if (text.empty())
-        return true;
-    std::error_code error;
-    textDone += out.append(std::string_view(text).substr(textDone), error);
-    if (!error) {
-        text.clear();
-        textDone = 0;
+    const bool done = parts.write();
+    tellOfParts();
+    {
+        const std::lock_guard lock(mutex);
+        writeFailure = parts.failure();
+        file = parts.file();
     }
-    const std::lock_guard lock(mutex);
-    writeFailure = error ? error.message() : std::string();
-    return !error;
+    const bool fails = !parts.failure().empty();
+    if (fails && !failing)
+        tell({EventCode::LogFailed, LogFailure{0, parts.failure()}});
+    failing = fails;
+    return done;
 }
 
-LogWriter::LogWriter(const std::filesystem::path& csvFile, const LogMetadata& metadata)
-    : m_impl(std::make_unique<Impl>(csvFile, metadata)) {}
+void LogWriter::Impl::tell(Event event) {
+    const std::lock_guard lock(mutex);
+    events.push_back(std::move(event));
+    hasEvents = true;
+}
+
+void LogWriter::Impl::tellOfParts() {
+    for (LogContinuation& continuation : parts.takeContinuations())
+        tell({EventCode::LogContinued, std::move(continuation)});
+    for (const std::filesystem::path& part : parts.takeClosedParts())
+        compressor.add(part);
+}
+
+void LogWriter::Impl::watchDisk() {
+    const auto now = std::chrono::steady_clock::now();
+    if (now < nextLook)
+        return;
+    nextLook = now + options.watchDiskEvery;
+    const std::filesystem::path directory = path.parent_path();
+    const auto bytes = options.freeSpace ? options.freeSpace(directory) : freeSpaceOf(directory);
+    if (!bytes)
+        return;
+    if (const std::optional<LogSpace> low = disk.update(now, *bytes, parts.bytesWritten()))
+        tell({EventCode::LogSpaceLow, *low});
+}
+
+LogWriter::LogWriter(const std::filesystem::path& csvFile, const LogMetadata& metadata, LogOptions options)
+    : m_impl(std::make_unique<Impl>(csvFile, metadata, std::move(options))) {}
 
 LogWriter::~LogWriter() = default;
 
 void LogWriter::append(const SnapshotPtr& snapshot) {
     m_impl->remember(snapshot);
-    if (!m_impl->becomesRow(*snapshot))
+    const std::span<const SnapshotPtr> rows = m_impl->choice.add(snapshot);
+    if (rows.empty())
         return;
-    bool halfFull = false;
+    bool wakes = m_impl->choice.isAtRest();
     {
         const std::lock_guard lock(m_impl->mutex);
-        if (m_impl->queue.size() == kQueueRows) {
-            ++m_impl->lost;
-            ++m_impl->lostUnreported;
-            return;
-        }
-        m_impl->queue.push_back(snapshot);
-        ++m_impl->taken;
-        halfFull = m_impl->queue.size() == kQueueRows / 2;
+        m_impl->isUrgent = m_impl->isUrgent || wakes;
+        for (const SnapshotPtr& row : rows)
+            wakes = m_impl->enqueue(row) || wakes;
     }
-    if (halfFull)
+    if (wakes)
         m_impl->wake.notify_one();
+}
+
+void LogWriter::takeEvents(std::vector<Event>& events) {
+    if (!m_impl->hasEvents)
+        return;
+    const std::lock_guard lock(m_impl->mutex);
+    for (Event& event : m_impl->events)
+        events.push_back(std::move(event));
+    m_impl->events.clear();
+    m_impl->hasEvents = false;
 }
 
 void LogWriter::finish() {
@@ -264,8 +316,9 @@ std::optional<LogFailure> LogWriter::failure() const {
     return std::nullopt;
 }
 
-const std::filesystem::path& LogWriter::file() const {
-    return m_impl->path;
+std::filesystem::path LogWriter::file() const {
+    const std::lock_guard lock(m_impl->mutex);
+    return m_impl->file;
 }
 
 std::filesystem::path faultFile(const std::filesystem::path& csvFile, int number) {

@@ -31,9 +31,14 @@ struct Snapshot {
     bool protectedLink = false;
     CommandSet allowed; ///< the commands that the machine would accept now
 
-    bool fresh = false;                         ///< a new measurement arrived in this cycle
-    bool stale = true;                          ///< the last one is too old to be used
-    std::chrono::nanoseconds age{0};            ///< of the last measurement; 0 before the first
+    bool fresh = false;              ///< a new measurement arrived in this cycle
+    bool stale = true;               ///< the last one is too old to be used
+    std::chrono::nanoseconds age{0}; ///< of the last measurement; 0 before the first
+    /// Of this cycle's measurement: the controller's clock; how long it came after the set-point that it is
+    /// the first to confirm was sent; and how much later after the one before it than the feedback period.
+    std::optional<std::chrono::microseconds> controllerTime;
+    std::optional<std::chrono::nanoseconds> roundTrip;
+    std::optional<std::chrono::nanoseconds> jitter;
     std::optional<LegLengths> measuredLengths;  ///< of the last measurement, m
     std::optional<LegLengths> commandedLengths; ///< set-point in force, m
     std::optional<Pose> targetPose;   ///< where the platform should be now: on the path while moving, and in

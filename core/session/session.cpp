@@ -110,6 +110,7 @@ void Session::Impl::cycles(const std::stop_token& stop, const ConnectionSpec& co
         auto kept = std::make_shared<Snapshot>(snapshot);
         if (change)
             kept->events.insert(kept->events.begin(), *std::exchange(change, std::nullopt));
+        log->takeEvents(kept->events);
         last = kept;
         deliver(std::move(kept));
     });
@@ -181,7 +182,7 @@ void Session::open(const ConnectionSpec& connection, const std::filesystem::path
     metadata.solver = std::string(m_impl->setup.solver->name());
     metadata.programVersion = m_impl->setup.programVersion;
     metadata.port = nameOf(connection);
-    m_impl->log = std::make_unique<LogWriter>(logFile, metadata);
+    m_impl->log = std::make_unique<LogWriter>(logFile, metadata, m_impl->setup.log);
     m_impl->ring->clear();
     {
         const std::lock_guard lock(m_impl->mutex);

@@ -7,6 +7,7 @@
 #include "core/kinematics/platform_model.h"
 #include "core/machine/command.h"
 #include "core/machine/control_loop.h"
+#include "core/record/log_options.h"
 #include "core/session/connection.h"
 #include "core/session/snapshot_ring.h"
 
@@ -28,6 +29,7 @@ struct SessionSetup {
     std::string programVersion;
     std::filesystem::path logDirectory; ///< for logs that are named after the time
     ControlOptions control;
+    LogOptions log;
 };
 
 /// What the system granted the present or last connection.
@@ -70,7 +72,7 @@ public:
     /// Begins with the oldest cycle that is kept, and goes on through later connections.
     SnapshotReader reader() const;
     SessionInfo info() const;
-    /// Of the present or last connection; empty before the first.
+    /// Of the present or last connection, its first part; empty before the first connection.
     std::filesystem::path logFile() const;
     /// Why the log of the present or last connection is not complete.
     std::optional<LogFailure> logFailure() const;

@@ -355,6 +355,8 @@ TEST(BadOptions, OfRunAndNothingIsSentOrDamaged) {
                          {run("@poses.csv", "@kept.csv", "--report @new/deep"), {"@kept.csv", "exists"}},
                          {anyPort + "/dev/ttyNOWHERE --report @new/deep", {"/dev/ttyNOWHERE"}},
                          {run("@poses.csv", "-"), {"--log", "'-'"}},
+                         {good + "--log-part-mb 0", {"--log-part-mb", "0"}},
+                         {good + "--log-part-mb 0.5", {"--log-part-mb", "0.5"}},
                      });
     const std::vector<std::string> payloads = controller.payloads();
     EXPECT_TRUE(std::all_of(payloads.begin(), payloads.end(), [](const auto& p) { return p == "HELLO,1"; }))

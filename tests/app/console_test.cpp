@@ -247,6 +247,7 @@ TEST(Console, BadOptionsAreRefused) {
                       {"--headless --virtual --output @plain/out", {"--output", "@plain/out"}},
                       {"--headless --virtual --output @plain", {"--output", "@plain"}},
                       {"--headless --virtual --log-dir @plain/logs", {"--log-dir", "@plain/logs"}},
+                      {"--headless --virtual --log-part-mb huge", {"--log-part-mb", "huge"}},
                       {"--virtual --output @out", {"--output", "--headless"}},
                   });
 }

@@ -39,7 +39,7 @@ double secondsSince(Clock::time_point begin) {
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-/// A session log of all 42 columns at 1 kHz, about 500 bytes a row.
+/// A session log of 42 columns at 1 kHz, about 500 bytes a row.
 void writeLog(const fs::path& file, long rows) {
     std::ofstream out(file, std::ios::binary);
     out << "time_s,time_iso,l1_mm,l2_mm,l3_mm,l4_mm,l5_mm,l6_mm,l1_set_mm,l2_set_mm,l3_set_mm,l4_set_mm,l5_"

@@ -121,6 +121,12 @@ inline const std::vector<GoldenEvent> kGoldenEvents{
     {"jog-started", {EventCode::JogStarted}},
     {"jog-limited leg 1 above max_mm", {EventCode::JogLimited, checkOf(MotionCheck::Reason::LegAboveMax, 1, 1.0)}},
     {"solver-changed fsi", {EventCode::SolverChanged, SolverChoice{"fsi", {}}}},
+    {"log-space-low 1.93 GB", {EventCode::LogSpaceLow, LogSpace{1930000000, {}}}},
+    {"log-space-low 12.00 GB, 42 min", {EventCode::LogSpaceLow, LogSpace{12000000000, 2520.0}}},
+    {"log-continued run-2.csv", {EventCode::LogContinued, LogContinuation{LogContinuation::Cause::Full, "run-2.csv"}}},
+    {"log-continued run-2.csv: the file before it was deleted", {EventCode::LogContinued, LogContinuation{LogContinuation::Cause::Deleted, "run-2.csv"}}},
+    {"log-continued run-3.csv: the file before it was moved or replaced", {EventCode::LogContinued, LogContinuation{LogContinuation::Cause::Moved, "run-3.csv"}}},
+    {"log-failed EIO", {EventCode::LogFailed, LogFailure{0, "EIO"}}},
     {"solver-changed mpr3-nr 0123abcd", {EventCode::SolverChanged, SolverChoice{"mpr3-nr", "0123abcd"}}},
 };
 // clang-format on

@@ -98,6 +98,7 @@ void LineDevice::Impl::sendLengths(const LegLengths& lengths, Time time) {
         return note(notice::Refused{{DeviceRequest::SetPoint, RefusalReason::LengthNotPositive}});
     if (channel->unsent() > kMaxUnsent)
         return; // a slow line: the next one is newer
+    sentSets[nextSetNumber % sentSets.size()] = SentSet{nextSetNumber, time};
     write(line::Set{nextSetNumber++, lengths});
 }
 
@@ -136,6 +137,7 @@ void LineDevice::Impl::onLinkLost(const PortFailure& failure) {
     channel.reset();
     feedback.link = LinkState::Lost;
     feedback.lengths.reset();
+    feedback.roundTrip.reset();
     note(notice::LinkLost{failure});
 }
 
@@ -154,6 +156,7 @@ LineDevice::~LineDevice() = default;
 const DeviceFeedback& LineDevice::read() {
     Impl& device = *m_impl;
     device.feedback.lengths.reset();
+    device.feedback.roundTrip.reset();
     if (device.channel) {
         try {
             device.receive();

@@ -43,6 +43,7 @@ struct LineDevice::Impl {
     void process(const line::Ok& ok);
     void process(const line::Err& err);
     void process(const line::Fault& fault);
+    void noteEcho(std::int32_t setNumber, Time time);
     void onControllerRestart();
     void reportOnce(DeviceRefusal refusal);
     template <class Notice>
@@ -70,6 +71,11 @@ struct LineDevice::Impl {
     bool periodRefused = false;
     int periodTries = 0; ///< left
     std::uint16_t nextSetNumber = 0;
+    struct SentSet {
+        std::uint16_t number;
+        Time time;
+    };
+    std::array<std::optional<SentSet>, 256> sentSets; ///< the latest, by their numbers
     std::uint64_t droppedOrder = 0;
     std::optional<DeviceRefusal> lastReported; ///< of the handshake, which is repeated: reported once
     std::vector<DeviceNotice> noted;           ///< for the next read

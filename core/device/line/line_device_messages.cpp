@@ -119,9 +119,11 @@ void LineDevice::Impl::process(const line::Len& len, Time time) {
     feedback.lengths = len.lengths;
     feedback.receivedAt = time;
     feedback.controllerTime = len.time;
+    feedback.roundTrip.reset();
     feedback.protectedLink = true;
     feedback.state = len.state;
     feedback.echoesSetPoints = true;
+    noteEcho(len.setNumber, time);
     feedback.acceptedSetPoint = len.setNumber < 0 ? std::nullopt : std::optional(len.setNumber);
     if (len.state == ControllerState::Disabled && disable.active()) {
         disable.confirm();
@@ -133,6 +135,16 @@ void LineDevice::Impl::process(const line::Len& len, Time time) {
     }
 }
 
+/// The first measurement that confirms a set-point ends its way there and back.
+void LineDevice::Impl::noteEcho(std::int32_t setNumber, Time time) {
+    if (setNumber < 0 || feedback.acceptedSetPoint == setNumber)
+        return;
+    std::optional<SentSet>& sent = sentSets[static_cast<std::size_t>(setNumber) % sentSets.size()];
+    if (sent && sent->number == setNumber)
+        feedback.roundTrip = time - sent->time;
+    sent.reset();
+}
+
 void LineDevice::Impl::process(const line::PlainLengths& plain, Time time) {
     if (feedback.link != LinkState::ListenOnly) {
         feedback.link = LinkState::ListenOnly;
@@ -140,6 +152,7 @@ void LineDevice::Impl::process(const line::PlainLengths& plain, Time time) {
     }
     feedback.lengths = plain.lengths;
     feedback.receivedAt = time;
+    feedback.controllerTime.reset();
     feedback.protectedLink = false;
 }
 

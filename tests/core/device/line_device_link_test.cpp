@@ -40,6 +40,26 @@ TEST(LineDeviceLink, GivesAMeasurementOnceAndAsItWasSent) {
     EXPECT_EQ(host.script.now, begin + 15ms); // waited no longer than that
 }
 
+TEST(LineDeviceLink, MeasuresTheWayOfASetPointThereAndBack) {
+    const SetPoints set{LegLengths::Constant(0.3), DeviceRequest::None};
+    Host host;
+    host.connect();
+    host.script.len(1, 1000);
+    exchange(host.device, set); // number 0
+    EXPECT_FALSE(host.device.read().roundTrip) << "no measurement, no round trip";
+    host.script.len(2, 2000, 'E', -1);
+    EXPECT_FALSE(exchange(host.device, set).roundTrip) << "number 1 is sent, none confirmed";
+    host.script.now += 7ms;
+    host.script.len(3, 3000, 'E', 1);
+    const DeviceFeedback confirmed = host.device.read();
+    ASSERT_TRUE(confirmed.roundTrip);
+    EXPECT_EQ(*confirmed.roundTrip, 7ms);
+    host.script.len(4, 4000, 'E', 1);
+    EXPECT_FALSE(host.device.read().roundTrip) << "confirmed before";
+    host.script.len(5, 5000, 'E', 999);
+    EXPECT_FALSE(host.device.read().roundTrip) << "never sent";
+}
+
 TEST(LineDeviceLink, UsesTheNewestOfAQueueAndCountsWhatIsMissingOrRepeated) {
     Host host;
     host.connect();

@@ -51,6 +51,23 @@ TEST(FeedbackMonitor, GivesASlowControllerThreeOfItsPeriods) {
     EXPECT_TRUE(other.stale());
 }
 
+TEST(FeedbackMonitor, MeasuresTheJitterOfThePeriod) {
+    FeedbackMonitor monitor(200ms);
+    monitor.update(measured(kBegin, 10ms), kBegin);
+    EXPECT_FALSE(monitor.jitter()) << "the first of all";
+    monitor.update(measured(kBegin + 13ms, 10ms), kBegin + 13ms);
+    EXPECT_EQ(monitor.jitter(), 3ms);
+    monitor.update(measured(kBegin + 22ms, 10ms), kBegin + 22ms);
+    EXPECT_EQ(monitor.jitter(), -1ms);
+    monitor.update(silent(measured(kBegin + 22ms, 10ms)), kBegin + 30ms);
+    EXPECT_FALSE(monitor.jitter()) << "no measurement";
+    monitor.forget();
+    monitor.update(measured(kBegin + 90ms, 10ms), kBegin + 90ms);
+    EXPECT_FALSE(monitor.jitter()) << "the port was gone between";
+    monitor.update(measured(kBegin + 95ms, 0ms), kBegin + 95ms);
+    EXPECT_FALSE(monitor.jitter()) << "the period is not known";
+}
+
 class Echo : public ::testing::Test {
 protected:
     /// Set-points go out at these times, and the controller measures, and accepts none of them.

@@ -73,7 +73,10 @@ TEST(LogRow, HoldsEveryColumnOfTheContract) {
         "l6_set_mm,x_target_mm,y_target_mm,z_target_mm,alpha_target_deg,beta_target_deg,gamma_target_"
         "deg,x_mm,y_mm,"
         "z_mm,alpha_deg,beta_deg,gamma_deg,status,iterations,residual_mm,state,age_ms,dropped,x_path_mm,"
-        "y_path_mm,z_path_mm,alpha_path_deg,beta_path_deg,gamma_path_deg,mode,speed_percent,q,event\n");
+        "y_path_mm,z_path_mm,alpha_path_deg,beta_path_deg,gamma_path_deg,mode,speed_percent,q,controller_"
+        "time_"
+        "us,round_trip_ms,jitter_ms,l1_error_mm,l2_error_mm,l3_error_mm,l4_error_mm,l5_error_mm,l6_error_mm,"
+        "event\n");
     Snapshot s = fullSnapshot(3);
     s.measuredPose = Pose{{0.012, -0.004, 0.04}, {radiansFromDeg(1), radiansFromDeg(-2.5), 0}};
     s.commandedLengths = LegLengths::Constant(0.3);
@@ -81,6 +84,9 @@ TEST(LogRow, HoldsEveryColumnOfTheContract) {
     s.mode = MotionMode::Workspace;
     s.speed = 0.5;
     s.determinantRatio = 0.75;
+    s.controllerTime = std::chrono::microseconds(4294967295);
+    s.roundTrip = std::chrono::microseconds(12345);
+    s.jitter = std::chrono::microseconds(-250);
     s.events = {eventFrom("controller-refused say, \"no\"")};
     std::string row;
     appendLogRow(s, row);
@@ -88,21 +94,35 @@ TEST(LogRow, HoldsEveryColumnOfTheContract) {
         row,
         "0.030000,2026-03-01T14:05:09.280Z,339.5,336.5,336.6,329.2,345.1,334.5,300,300,300,300,300,300,12,-4,"
         "40,0,0,5,12,-4,40,1,-2.5,0,converged,3,1.25e-09,moving,1.5,3,1,2,3,0,0,5,workspace,50,0.7500,"
+        "4294967295,12.345,-0.250,-39.5,-36.5,-36.6,-29.2,-45.1,-34.5,"
         "\"controller-refused say, \"\"no\"\"\"\n");
 }
 
 TEST(LogRow, IsEmptyWhereNothingIsKnown) {
     std::string row;
     appendLogRow(Snapshot{}, row);
-    EXPECT_EQ(
-        row,
-        "0.000000,1970-01-01T00:00:00.000Z,,,,,,,,,,,,,,,,,,,,,,,,,,,,disconnected,,0,,,,,,,joint,100,,\n");
+    EXPECT_EQ(row, "0.000000,1970-01-01T00:00:00.000Z,,,,,,,,,,,,,,,,,,,,,,,,,,,,disconnected,,0,,,,,,,joint,"
+                   "100,,,,,,,,,,,\n");
     Snapshot old = fullSnapshot();
     old.fresh = false;
     row.clear();
     appendLogRow(old, row);
     EXPECT_THAT(row, HasSubstr("Z,,,,,,,300.00000000000006,")) << "an old measurement is not written again";
     EXPECT_THAT(row, HasSubstr(",40,0,0,5,,,,,,,,,,moving,1.5,3,"));
+}
+
+TEST(LogRow, KnowsOfTheLinkAndTheLegsErrorsOnlyWithAMeasurement) {
+    Snapshot s = fullSnapshot();
+    s.controllerTime = std::chrono::microseconds(7);
+    s.roundTrip = s.jitter = std::chrono::microseconds(1);
+    s.measuredLengths = s.commandedLengths;
+    std::string row;
+    appendLogRow(s, row);
+    EXPECT_THAT(row, testing::EndsWith(",7,0.001,0.001,0,0,0,0,0,0,\n"));
+    s.fresh = false;
+    row.clear();
+    appendLogRow(s, row);
+    EXPECT_THAT(row, testing::EndsWith(",,,,,,,,,,\n"));
 }
 
 TEST(LogRow, LeavesOutAResidualThatIsNoNumber) {

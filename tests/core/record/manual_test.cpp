@@ -5,7 +5,7 @@
 
 #include "core/base/text_file.h"
 #include "core/record/event_codec.h"
-#include "core/record/log_columns.h"
+#include "core/record/quantities.h"
 #include "core/record/run_state.h"
 
 #include <gmock/gmock.h>
@@ -22,8 +22,8 @@ protected:
 };
 
 TEST_F(ManualOfFiles, NamesEveryColumnOfTheLog) {
-    for (const LogColumn& column : logColumns())
-        EXPECT_THAT(m_page, HasSubstr("`" + std::string(column.name) + "`"));
+    for (const Quantity& quantity : quantities())
+        EXPECT_THAT(m_page, HasSubstr("`" + std::string(quantity.name) + "`"));
 }
 
 TEST_F(ManualOfFiles, NamesEveryEvent) {

@@ -5,17 +5,21 @@
 #include "core/base/units.h"
 #include "core/geometry/geometry_file.h"
 #include "core/record/log_metadata.h"
+#include "core/record/log_options.h"
 #include "core/record/snapshot.h"
 
 #include <gtest/gtest.h>
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <thread>
 
 namespace hexapose {
 
@@ -55,8 +59,39 @@ inline std::string readAll(const std::filesystem::path& file) {
     return text.str();
 }
 
+inline std::size_t lineCount(const std::filesystem::path& file) {
+    const std::string text = readAll(file);
+    return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+/// How long something that another thread or process does may take before the test gives it up.
+inline constexpr std::chrono::seconds kPatience{20};
+
+template <typename Condition>
+bool comesTrue(Condition condition) {
+    const auto until = std::chrono::steady_clock::now() + kPatience;
+    while (!condition()) {
+        if (std::chrono::steady_clock::now() > until)
+            return false;
+        std::this_thread::yield();
+    }
+    return true;
+}
+
+/// Of a log whose disk is never reported as getting full, as that of a machine that runs tests may be.
+inline LogOptions ofAnyDisk() {
+    LogOptions options;
+    options.freeSpace = [](const std::filesystem::path&) { return std::nullopt; };
+    return options;
+}
+
 inline LogMetadata sampleMetadata() {
-    return {loadPlatform(kLaboratoryFile), "0123456789abcdef", "mpr3-nr", "1.2.3", "/dev/tty \"odd\"\\name"};
+    return {.platform = loadPlatform(kLaboratoryFile),
+            .modelFingerprint = "0123456789abcdef",
+            .solver = "mpr3-nr",
+            .programVersion = "1.2.3",
+            .port = "/dev/tty \"odd\"\\name",
+            .firstPart = {}};
 }
 
 /// A cycle with every column filled.

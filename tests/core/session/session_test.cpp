@@ -5,6 +5,7 @@
 #include "core/session/session.h"
 
 #include "core/base/input_error.h"
+#include "core/base/text_file.h"
 #include "core/device/line/line_device.h"
 #include "core/device/reconnecting_device.h"
 #include "core/device/serial/serial_channel.h"
@@ -15,6 +16,7 @@
 
 #include <QCoreApplication>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <sched.h>
@@ -132,6 +134,23 @@ TEST_F(SessionTest, RunsTheLoopOnAThreadOfItsOwnAndLeavesThePlatformDisabled) {
         return s.fresh && s.controllerState != ControllerState::Unknown;
     }));
     EXPECT_NE(found, ControllerState::Enabled);
+}
+
+TEST_F(SessionTest, TellsOnTheScreenAndInTheLogWhatBecomesOfTheLog) {
+    SessionSetup tight = setup();
+    tight.log.freeSpace = [](const fs::path&) { return std::optional<std::uint64_t>(1'000'000'000); };
+    Session session(tight, makeDevice);
+    SnapshotReader screen = session.reader();
+    session.open(connection(), folder / "run.csv");
+    ASSERT_TRUE(waitFor(screen, [](const Snapshot& s) { return hasEvent(s, EventCode::LogSpaceLow); }));
+    fs::remove(folder / "run.csv");
+    ASSERT_TRUE(waitFor(screen, [](const Snapshot& s) { return hasEvent(s, EventCode::LogContinued); }));
+    session.close();
+    EXPECT_EQ(session.logFailure(), std::nullopt);
+    EXPECT_FALSE(fs::exists(folder / "run.csv"));
+    const std::string log = readTextFile(folder / "run-2.csv");
+    EXPECT_THAT(log, testing::HasSubstr("log-space-low 1.00 GB"));
+    EXPECT_THAT(log, testing::HasSubstr("log-continued run-2.csv: the file before it was deleted"));
 }
 
 TEST_F(SessionTest, DestroyedInMidMoveItStopsAndDisables) {

@@ -45,7 +45,7 @@ bool isNoEnglish(const QString& word) {
         QStringLiteral("FSI"), QStringLiteral("MPR3"), QStringLiteral("NR"), QStringLiteral("dev"),
         QStringLiteral("ttyX"), QStringLiteral("sudo"), QStringLiteral("usermod"), QStringLiteral("aG"),
         QStringLiteral("dialout"), QStringLiteral("USER"), QStringLiteral("q"), QStringLiteral("x"),
-        QStringLiteral("EIO"),
+        QStringLiteral("EIO"), QStringLiteral("GB"), QStringLiteral("run"), QStringLiteral("csv"),
         // What a controller says, its codes among it, is shown as it is.
         QStringLiteral("STATE"), QStringLiteral("RANGE"), QStringLiteral("FORMAT"), QStringLiteral("leg")};
     static const QRegularExpression foreign(QStringLiteral("^X\\d?$"));

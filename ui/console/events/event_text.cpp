@@ -54,6 +54,21 @@ QString refusalAdvice(const CommandRefusal& refusal) {
                        : EventWords::tr("Wait until the motion is over, or press Stop.");
 }
 
+EventText logContinuedText(const LogContinuation& next) {
+    const QString file = payloadText(next);
+    const QString advice = EventWords::tr("Leave the log in its place until you disconnect.");
+    switch (next.cause) {
+    case LogContinuation::Cause::Deleted:
+        return {EventWords::tr("The log was deleted; all of it is in %1 now").arg(file), advice, Tone::Warn};
+    case LogContinuation::Cause::Moved:
+        return {EventWords::tr("The log was moved or replaced; it goes on in %1").arg(file), advice,
+                Tone::Warn};
+    case LogContinuation::Cause::Full:
+        break;
+    }
+    return {EventWords::tr("The log goes on in %1").arg(file), {}, Tone::Idle};
+}
+
 QString moveAdvice(const Event& event) {
     const auto* check = event.get<MotionCheck>();
     if (event.get<MotionInhibit>() || (check && (check->reason == MotionCheck::Reason::StartMoved ||
@@ -164,6 +179,14 @@ EventText refusalText(const Event& event) {
     case EventCode::LogFailed:
         return {withPayload(EventWords::tr("The log cannot be written"), event),
                 EventWords::tr("Free space on the disk, then connect again."), Tone::Bad};
+    case EventCode::LogSpaceLow:
+        return {withPayload(EventWords::tr("Little space is left for the log"), event),
+                EventWords::tr("Free space on the disk."), Tone::Warn};
+    case EventCode::LogContinued:
+        if (const auto* next = event.get<LogContinuation>()) {
+            return logContinuedText(*next);
+        }
+        return {};
     default:
         return {};
     }

@@ -181,6 +181,20 @@ QString text(const LogFailure& failure) {
                                   : foreign(failure.system);
 }
 
+QString text(const LogSpace& space) {
+    constexpr double kBytesInGigabyte = 1e9;
+    const QString gigabytes =
+        QString::fromStdString(formatFixed(static_cast<double>(space.freeBytes) / kBytesInGigabyte, 2));
+    return space.secondsLeft
+               ? PayloadText::tr("%1 GB, enough for %2 min")
+                     .arg(gigabytes, QString::fromStdString(formatFixed(*space.secondsLeft / 60.0, 0)))
+               : PayloadText::tr("%1 GB").arg(gigabytes);
+}
+
+QString text(const LogContinuation& continuation) {
+    return foreign(continuation.file);
+}
+
 } // namespace
 
 QString payloadText(const EventData& data) {
