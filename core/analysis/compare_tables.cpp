@@ -13,7 +13,7 @@ namespace hexapose {
 namespace {
 
 constexpr double kPauseSteps = 5.0;
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 constexpr int kGrid = 2048;             ///< points of the longer log, for the first search
 constexpr std::size_t kMostRows = 4000; ///< of `a`, for the refined search
 constexpr int kMostColumns = 6;
@@ -21,6 +21,7 @@ constexpr int kMostColumns = 6;
 /// A column at even steps of time.
 std::vector<double> sampled(const Table& table, std::size_t column, double step, int count) {
     std::vector<double> values;
+    values.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i)
         values.push_back(valueAt(table, column, table.time().begin() + i * step));
     return values;
@@ -42,8 +43,9 @@ double costOf(const std::vector<Signal>& signals, int lag, int least) {
         double sum = 0.0;
         int count = 0;
         for (int i = begin; i < end; ++i) {
+            const int j = i + lag;
             const double difference =
-                signal.a[static_cast<std::size_t>(i)] - signal.b[static_cast<std::size_t>(i + lag)];
+                signal.a[static_cast<std::size_t>(i)] - signal.b[static_cast<std::size_t>(j)];
             if (!std::isnan(difference)) {
                 sum += difference * difference;
                 ++count;
@@ -108,14 +110,14 @@ double valueAt(const Table& table, std::size_t column, double seconds) {
     const TimeAxis& time = table.time();
     const std::optional<Row> before = time.lastAtOrBefore(seconds);
     if (!before)
-        return kNone;
+        return kNoValue;
     const double value = table.columns()[column].number(*before), at = time.seconds(*before);
     if (at == seconds)
         return value;
     const Row next = *before + 1;
     if (next >= table.rowCount() || !(time.seconds(next) > at) ||
         (time.usualStep() > 0.0 && time.seconds(next) - at > kPauseSteps * time.usualStep()))
-        return kNone;
+        return kNoValue;
     const double part = (seconds - at) / (time.seconds(next) - at);
     return value + part * (table.columns()[column].number(next) - value);
 }

@@ -68,7 +68,7 @@ struct TableLoader::Impl {
 };
 
 void TableLoader::Impl::open() {
-    source = std::make_unique<TextSource>(file);
+    source = std::make_unique<TextSource>(file, [this] { return isCancelled.load(); });
     blocks = std::make_unique<LineBlocks>(
         *source, options.format && options.blockSize > 0 ? options.blockSize : LineBlocks::kBlock);
     {

@@ -16,12 +16,14 @@
 #include <cstring>
 #include <optional>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 namespace hexapose {
 
 namespace {
 
+constexpr int kAskEveryMs = 50;
 constexpr std::size_t kBuffer = std::size_t{1} << 18;
 
 std::string reason(int error) {
@@ -31,8 +33,8 @@ std::string reason(int error) {
 /// The bytes of a file, or of a pipe.
 class ByteFile {
 public:
-    explicit ByteFile(const std::filesystem::path& file)
-        : name(file == "-" ? "standard input" : file.string()) {
+    ByteFile(const std::filesystem::path& file, std::function<bool()> isCancelled)
+        : name(file == "-" ? "standard input" : file.string()), m_isCancelled(std::move(isCancelled)) {
         // Without waiting: a FIFO that nobody writes to would hold us up here for ever.
         m_descriptor =
             file == "-" ? ::dup(STDIN_FILENO) : ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
@@ -69,7 +71,9 @@ public:
             }
             if (errno == EAGAIN) {
                 pollfd event{m_descriptor, POLLIN, 0};
-                ::poll(&event, 1, -1);
+                while (::poll(&event, 1, kAskEveryMs) == 0)
+                    if (m_isCancelled && m_isCancelled())
+                        return 0;
             } else if (errno != EINTR) {
                 throw InputError(name, "cannot be read further: " + reason(errno));
             }
@@ -82,6 +86,7 @@ public:
     bool hasShrunk = false;
 
 private:
+    std::function<bool()> m_isCancelled;
     int m_descriptor = -1;
     bool m_isRegular = false;
     off_t m_offset = 0;
@@ -200,7 +205,10 @@ private:
 } // namespace
 
 struct TextSource::Impl {
-    explicit Impl(const std::filesystem::path& file) : bytes(file) { begin(); }
+    Impl(const std::filesystem::path& file, std::function<bool()> isCancelled)
+        : bytes(file, std::move(isCancelled)) {
+        begin();
+    }
 
     /// What the first bytes are decides how the rest is read.
     void begin() {
@@ -248,7 +256,8 @@ struct TextSource::Impl {
     std::uint64_t textBegin = 0;
 };
 
-TextSource::TextSource(const std::filesystem::path& file) : m_impl(std::make_unique<Impl>(file)) {}
+TextSource::TextSource(const std::filesystem::path& file, std::function<bool()> isCancelled)
+    : m_impl(std::make_unique<Impl>(file, std::move(isCancelled))) {}
 TextSource::~TextSource() = default;
 
 std::size_t TextSource::read(std::span<char> buffer) {

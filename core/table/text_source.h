@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -17,7 +18,8 @@ namespace hexapose {
 class TextSource {
 public:
     /// Throws InputError with the reason: "run.csv: is a directory". "-" is standard input.
-    explicit TextSource(const std::filesystem::path& file);
+    /// isCancelled: asked while a pipe is silent; the text ends there when it says so.
+    explicit TextSource(const std::filesystem::path& file, std::function<bool()> isCancelled = {});
     ~TextSource();
     TextSource(const TextSource&) = delete;
     TextSource& operator=(const TextSource&) = delete;

@@ -136,6 +136,19 @@ TEST(Loader, ALineThatIsTooLongIsLeftOut) {
     EXPECT_EQ(table->lineOf(1), 4);
 }
 
+TEST(Loader, ASilentPipeDoesNotHoldUpACancel) {
+    int ends[2];
+    ASSERT_EQ(::pipe(ends), 0);
+    {
+        TableLoader loader("/proc/self/fd/" + std::to_string(ends[0]), {{}, 1, {}});
+        loader.cancel();
+        loader.wait();
+        EXPECT_TRUE(loader.progress().isDone);
+    }
+    ::close(ends[0]);
+    ::close(ends[1]);
+}
+
 TEST(Loader, ReadsAPipe) {
     int ends[2];
     ASSERT_EQ(::pipe(ends), 0);
