@@ -74,16 +74,19 @@ TEST(Run, RefusesATargetOutsideTheEnvelopeBeforeAnythingMoves) {
 }
 
 TEST(Run, SweepsAnAxisAndComesBack) {
-    const Scratch scratch;
-    const Outcome outcome =
-        cli({"run", "--port", "virtual", "--sweep", "z,4,0.2,1,5", "--log", scratch.path("log.csv")});
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
-    const Table log(readText(scratch.path("log.csv")));
-    double highest = 0.0;
-    for (std::size_t row = 0; row + 1 < log.rows.size(); ++row)
-        if (!log.field(row, "z_mm").empty())
-            highest = std::max(highest, log.number(row, "z_mm"));
-    EXPECT_NEAR(highest, 4.0, 1.0);
+    runOnVirtual(
+        [](const Scratch& scratch) {
+            return cli(
+                {"run", "--port", "virtual", "--sweep", "z,4,0.2,1,5", "--log", scratch.path("log.csv")});
+        },
+        [](const Outcome&, const Scratch& scratch) {
+            const Table log(readText(scratch.path("log.csv")));
+            double highest = 0.0;
+            for (std::size_t row = 0; row + 1 < log.rows.size(); ++row)
+                if (!log.field(row, "z_mm").empty())
+                    highest = std::max(highest, log.number(row, "z_mm"));
+            EXPECT_NEAR(highest, 4.0, 1.0);
+        });
 }
 
 } // namespace

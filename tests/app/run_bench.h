@@ -6,6 +6,7 @@
 #include "tests/app/process.h"
 #include "tests/app/run_log.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -45,13 +46,19 @@ struct Ran {
 
 inline constexpr int kAttempts = 6; ///< on a machine that is too busy to keep the times of a controller
 
-/// A program that does not get to read for 200 ms stops the platform, and rightly.
+/// A program that does not get to read for 200 ms stops the platform, and one that does not get to write for
+/// 250 ms is stopped by the watchdog; both rightly.
 bool wasTooBusy(const Outcome& outcome);
 
 /// A run that must go well. It is repeated when the machine was too busy for the program, or even for the
 /// controller to keep its times.
 Ran runWell(const ForeignController::Traits& traits, const ForeignController::Plan& plan,
             const std::vector<Six>& poses, const std::vector<std::string>& more = {});
+
+/// A run on a platform of ours that must go well, each time in a folder of its own: repeated when the machine
+/// was too busy to keep the times of a controller.
+void runOnVirtual(const std::function<Outcome(const Scratch&)>& run,
+                  const std::function<void(const Outcome&, const Scratch&)>& expect);
 
 /// errors.csv of a run that went well: reached within what the resolution explains.
 void expectReached(const std::string& errorsCsv, const std::vector<Six>& targets, double withinMm);

@@ -131,36 +131,42 @@ TEST(Run, KilledLosesATenthOfASecondOfTheLog) {
 }
 
 TEST(Run, VirtualPlatformOfAnotherGeometry) {
-    const Scratch scratch;
     const Machine machine = irregular(5);
     const std::vector<Six> targets = machine.poses(1, 15.0, 6.0, 2);
-    const std::string targetFile = scratch.file("targets.csv", csv(poseColumns(), targets));
-    const Outcome outcome = cli({"run", "--platform", scratch.file("machine.toml", machine.toml()), "--port",
-                                 "virtual", "--targets", targetFile, "--log", scratch.path("log.csv"),
-                                 "--report", scratch.path("deep/report")});
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
-    expectReached(outcome.out, targets, 0.3); // lengths come in steps of 0.1 mm
-    expectReport(scratch.path("deep/report"));
-    EXPECT_EQ(RunLog(scratch.path("log.csv")).strayPose(machine), "");
-    // The platform stands beside the log: the report needs no telling.
-    const Outcome report = cli({"report", scratch.path("log.csv"), "--out", scratch.path("again")});
-    EXPECT_EQ(report.status, 0) << report.err;
-    expectReached(readText(scratch.path("again/errors.csv")), targets, 0.3);
+    runOnVirtual(
+        [&](const Scratch& scratch) {
+            return cli({"run", "--platform", scratch.file("machine.toml", machine.toml()), "--port",
+                        "virtual", "--targets", scratch.file("targets.csv", csv(poseColumns(), targets)),
+                        "--log", scratch.path("log.csv"), "--report", scratch.path("deep/report")});
+        },
+        [&](const Outcome& outcome, const Scratch& scratch) {
+            expectReached(outcome.out, targets, 0.3); // lengths come in steps of 0.1 mm
+            expectReport(scratch.path("deep/report"));
+            EXPECT_EQ(RunLog(scratch.path("log.csv")).strayPose(machine), "");
+            // The platform stands beside the log, and need not be named.
+            const Outcome report = cli({"report", scratch.path("log.csv"), "--out", scratch.path("again")});
+            EXPECT_EQ(report.status, 0) << report.err;
+            expectReached(readText(scratch.path("again/errors.csv")), targets, 0.3);
+        });
 }
 
 TEST(Run, SimulatedFaultsAreCountedAndDoNoHarm) {
-    const Scratch scratch;
-    Process platform(cliWords({"simulate", "--protocol", "line", "--link", scratch.path("port"), "--faults",
-                               "crc=0.05,drop=0.05,garbage=0.05,nan=0.05,torn=0.05,seed=9"}));
-    platform.readLine();
-    const std::string targets = scratch.file("targets.csv", csv(poseColumns(), {kFigure7}));
-    const Outcome outcome =
-        cli({"run", "--port", scratch.path("port"), "--targets", targets, "--log", scratch.path("log.csv")});
-    EXPECT_EQ(outcome.status, 0) << outcome.err;
-    expectReached(outcome.out, {kFigure7}, 0.2);
-    const RunLog log(scratch.path("log.csv"));
-    EXPECT_EQ(log.strayPose(laboratory()), "");
-    EXPECT_GT(log.dropped(), 10);
+    runOnVirtual(
+        [&](const Scratch& scratch) {
+            Process platform(
+                cliWords({"simulate", "--protocol", "line", "--link", scratch.path("port"), "--faults",
+                          "crc=0.05,drop=0.05,garbage=0.05,nan=0.05,torn=0.05,seed=9"}));
+            platform.readLine();
+            return cli({"run", "--port", scratch.path("port"), "--targets",
+                        scratch.file("targets.csv", csv(poseColumns(), {kFigure7})), "--log",
+                        scratch.path("log.csv")});
+        },
+        [&](const Outcome& outcome, const Scratch& scratch) {
+            expectReached(outcome.out, {kFigure7}, 0.2);
+            const RunLog log(scratch.path("log.csv"));
+            EXPECT_EQ(log.strayPose(laboratory()), "");
+            EXPECT_GT(log.dropped(), 10);
+        });
 }
 
 } // namespace
