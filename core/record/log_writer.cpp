@@ -176,13 +176,13 @@ void LogWriter::Impl::writeFaults() {
         std::string rows = logHeader();
         for (const SnapshotPtr& snapshot : record)
             appendLogRow(*snapshot, rows);
-        std::filesystem::path file;
+        std::filesystem::path kept;
         std::error_code ignored;
         do
-            file = faultFile(path, ++faultFiles);
-        while (std::filesystem::exists(file, ignored));
+            kept = faultFile(path, ++faultFiles);
+        while (std::filesystem::exists(kept, ignored));
         try {
-            writeNewFile(file, rows);
+            writeNewFile(kept, rows);
         } catch (const InputError& error) {
             const std::lock_guard lock(mutex);
             // The system's words alone: a screen has its own for the rest.
