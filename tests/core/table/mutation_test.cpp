@@ -30,7 +30,8 @@ const std::string kSamples[] = {
 };
 
 std::string mutated(std::string text, std::mt19937_64& random) {
-    static const std::string kBytes("0123456789.,;\t\"\n\r -+eE#\0\xFF\xC3|[]_", 35);
+    static constexpr char kSet[] = "0123456789.,;\t\"\n\r -+eE#\0\xFF\xC3|[]_";
+    static const std::string kBytes(kSet, sizeof kSet - 1); // there is a NUL among them
     const auto count = 1 + random() % 4;
     for (std::uint64_t i = 0; i < count && !text.empty(); ++i) {
         const std::size_t at = random() % text.size();
