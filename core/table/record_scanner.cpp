@@ -43,7 +43,7 @@ bool RecordScanner::next() {
     m_end = i;
     m_isClosed = !inQuote;
     if (m_hasLineEnd) {
-        i += m_text[i] == '\r' && i + 1 < m_text.size() && m_text[i + 1] == '\n' ? 2 : 1;
+        i += m_text[i] == '\r' && i + 1 < m_text.size() && m_text[i + 1] == '\n' ? 2U : 1U;
         ++m_nextLine;
     }
     m_next = i;
