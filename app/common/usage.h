@@ -11,7 +11,7 @@ namespace hexapose {
 
 /// An option: `--name VALUE`, or a switch when `value` is empty. `value` says what is taken, alternatives
 /// apart by '|': a word in lower case is itself, FILE and PATH are any file, FILE.csv is one that ends so,
-/// DIR is a folder, NAME is a file of this kind that is shipped, and what else begins with a capital is said
+/// DIR is a folder, NAME is a file of this kind that is shipped, and any other word with a capital is shown
 /// only (N, POSE). Shells complete by it.
 struct OptionSpec {
     const char* name;

@@ -70,7 +70,7 @@ struct LogWriter::Impl {
     std::string writeFailure;
     std::string faultFailure;
     std::filesystem::path file;
-    std::vector<Event> events; ///< to be told
+    std::vector<Event> events; ///< to be reported
     std::atomic<bool> hasEvents = false;
     std::vector<std::vector<SnapshotPtr>> faults; ///< to be written, each from the oldest cycle on
 
@@ -196,15 +196,15 @@ void LogWriter::Impl::writeFaults() {
 
 /// Takes the queue and turns it into text.
 void LogWriter::Impl::format() {
-    std::uint64_t untold = 0;
+    std::uint64_t lostBefore = 0;
     {
         const std::lock_guard lock(mutex);
         std::swap(queue, batch);
-        untold = std::exchange(lostUnreported, 0);
+        lostBefore = std::exchange(lostUnreported, 0);
     }
-    if (untold > 0 && !batch.empty()) {
+    if (lostBefore > 0 && !batch.empty()) {
         auto last = std::make_shared<Snapshot>(*batch.back()); // others may read this one
-        last->events.push_back({EventCode::LogFailed, LogFailure{untold, {}}});
+        last->events.push_back({EventCode::LogFailed, LogFailure{lostBefore, {}}});
         batch.back() = std::move(last);
     }
     for (const SnapshotPtr& snapshot : batch) {

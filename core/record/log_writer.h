@@ -37,9 +37,9 @@ public:
     void append(const Snapshot& snapshot) { append(std::make_shared<const Snapshot>(snapshot)); }
     /// Writes and flushes what is left; failure() then knows of all of it. Nothing is appended afterwards.
     void finish();
-    /// Adds what a person should know of the log and has not been told: that it cannot be written, that
-    /// little space is left, in which file it goes on. Costs next to nothing while there is nothing; from any
-    /// thread.
+    /// Adds what a person should know of the log and that was not reported yet: that it cannot be written,
+    /// that little space is left, in which file it goes on. Costs next to nothing while there is nothing;
+    /// from any thread.
     void takeEvents(std::vector<Event>& events);
     std::uint64_t rowCount() const;  ///< rows taken, not counting lost ones
     std::uint64_t lostCount() const; ///< rows that found the queue full

@@ -9,8 +9,8 @@
 
 namespace hexapose {
 
-/// What is said of some rows of a column, as text: numbers in the column's own unit, times in the form of the
-/// file and exact, words as they are. Empty where there is nothing to say.
+/// The statistics of some rows of a column, as text: numbers in the column's own unit, times in the form of
+/// the file and exact, words as they are. Empty where there is nothing to say.
 struct ColumnSummary {
     std::size_t count = 0;   ///< cells with a value
     std::size_t missing = 0; ///< without

@@ -16,7 +16,8 @@ namespace {
 constexpr int kPlainExponentMin = -2;
 constexpr int kPlainExponentMax = 3;
 constexpr double kTicksWanted = 4.0;
-constexpr int kPlainDigits = 6; ///< of labels that are told apart so late are plain: a power would add digits
+constexpr int kPlainDigits =
+    6; ///< of labels that differ only after so many are plain: a power would add digits
 constexpr double kLargestStep = 1e308;
 constexpr double kRounding = 1e-9; ///< so that 40.000000001 mm is not taken for more than 40
 

@@ -33,7 +33,7 @@ public:
     void setCursors(const Cursors& cursors);
     /// Where the pointer is, in this chart or in another one of the page.
     void setPointer(std::optional<double> time);
-    /// What is told beside the pointer: the time, and the value before it of each curve.
+    /// What is shown beside the pointer: the time, and the value before it of each curve.
     QStringList pointerText() const;
     void setTimeTitleShown(bool isShown);
 

@@ -210,7 +210,7 @@ TEST_F(LogWriterTest, AFullDiskIsToldAndGotOver) {
     waitpid(child, &status, 0);
     ASSERT_TRUE(WIFEXITED(status));
     EXPECT_EQ(WEXITSTATUS(status), 0) << "1: failure or loss not counted, 2: rows missing, 3: torn rows, 4: "
-                                         "the gap is not in the log, 5: nobody is told";
+                                         "the gap is not in the log, 5: it is not reported";
 }
 
 std::string refusal(const std::filesystem::path& file, const LogMetadata& metadata) {

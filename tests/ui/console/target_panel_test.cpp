@@ -318,7 +318,7 @@ TEST_F(TargetPlanTest, RunStaysDisabledUntilThePlanOfWhatIsTypedIsThere) {
         EXPECT_FALSE(panel.check());
         EXPECT_FALSE(button("Run")->isEnabled()) << text;
         EXPECT_EQ(button("Run")->toolTip(), "Checking the target");
-        EXPECT_EQ(validity(), "Reachable") << "nothing is said of a check that takes no time";
+        EXPECT_EQ(validity(), "Reachable") << "a check that takes no time is not shown";
         button("Run")->click();
         panel.run();
     }

@@ -27,8 +27,8 @@ NamedPoses::NamedPoses(QWidget* parent)
     m_box->setInsertPolicy(QComboBox::NoInsert);
     m_box->setCompleter(nullptr); // a name is kept as it is typed
     // A box takes typed text that is among its items for a choice when the focus leaves it or Return is
-    // pressed. On the way to Run or Save pose the fields would get another pose: only the list and the arrows
-    // choose.
+    // pressed. As the focus moves to Run or Save pose, the fields would get another pose: only the list and
+    // the arrows choose.
     for (const auto signal : {&QLineEdit::editingFinished, &QLineEdit::returnPressed}) {
         disconnect(m_box->lineEdit(), signal, m_box, nullptr);
     }

@@ -85,7 +85,7 @@ private:
     std::optional<MotionCheck> m_check;
     SharedPlan m_plan;      ///< of what stands in the fields, unless that cannot be reached whatever the path
     bool m_waiting = false; ///< for a plan, without a check
-    QTimer m_patience;      ///< until it is over, nothing is said of the planning
+    QTimer m_patience;      ///< until it is over, the planning is not shown
     QElapsedTimer m_sinceCheck;
     std::array<NumberField*, 6> m_fields{};
     std::array<QLabel*, 6> m_ranges{};

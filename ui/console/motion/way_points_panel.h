@@ -118,7 +118,7 @@ private:
     QPushButton* m_pause = nullptr;
     QPushButton* m_step = nullptr;
     TextReadOut* m_message = nullptr;
-    QTimer m_patience; ///< until it is over, nothing is said of the planning
+    QTimer m_patience; ///< until it is over, the planning is not shown
     NewestJob m_planning{QStringLiteral("list planning")};
 };
 
